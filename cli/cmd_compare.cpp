@@ -1,0 +1,5 @@
+#include "cli/commands.h"
+
+namespace hybridrt::cli {
+void add_compare_command(CLI::App&, Command&) {}
+}  // namespace hybridrt::cli

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "cli/exit_codes.h"
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace hybridrt::cli {
+
+/// What a chosen command does once its options are parsed.
+using Command = std::function<ExitCode()>;
+
+/// Each adds one subcommand with its options to `app`; when it is chosen, `chosen` becomes what to run.
+void add_compare_command(CLI::App& app, Command& chosen);
+void add_scene_command(CLI::App& app, Command& chosen);
+
+}  // namespace hybridrt::cli

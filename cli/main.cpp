@@ -1,0 +1,66 @@
+// The command table, the only catch, the exit codes.
+
+#include "cli/commands.h"
+#include "cli/nearest_option.h"
+#include "core/base/error.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <clocale>
+#include <new>
+
+namespace hybridrt::cli {
+
+ExitCode exit_code_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage: return ExitCode::usage;
+    case ErrorKind::input: return ExitCode::input;
+    case ErrorKind::device: return ExitCode::device;
+    case ErrorKind::output: return ExitCode::output;
+  }
+  return ExitCode::internal;
+}
+
+namespace {
+
+ExitCode fail(ExitCode code, const std::string& message) {
+  fmt::print(stderr, "hybridrt: {}\n", message);
+  return code;
+}
+
+ExitCode run(int argc, char** argv) {
+  CLI::App app{"hybridrt: headless hybrid CPU-GPU renderer of frame sequences", "hybridrt"};
+  app.require_subcommand(0, 1);
+  Command chosen;
+  add_compare_command(app, chosen);
+  add_scene_command(app, chosen);
+
+  try {
+    app.parse(argc, argv);
+    if (chosen) return chosen();
+    if (argc <= 1) fmt::print("{}", app.help());
+    return ExitCode::ok;
+  } catch (const CLI::Success& help_or_version) {
+    app.exit(help_or_version);
+    return ExitCode::ok;
+  } catch (const CLI::ExtrasError&) {
+    return fail(ExitCode::usage, unknown_argument_message(app));
+  } catch (const CLI::ParseError& parse_error) {
+    return fail(ExitCode::usage, fmt::format("{}; see 'hybridrt --help'", parse_error.what()));
+  } catch (const Error& wrong_world) {
+    return fail(exit_code_of(wrong_world.kind()), wrong_world.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::some_frames_failed, "out of memory; render a smaller scene or picture");
+  } catch (const std::exception& our_mistake) {
+    return fail(ExitCode::internal, fmt::format("internal error: {}", our_mistake.what()));
+  }
+}
+
+}  // namespace
+}  // namespace hybridrt::cli
+
+int main(int argc, char** argv) {
+  std::setlocale(LC_ALL, "C");  // numbers read and written alike everywhere
+  return static_cast<int>(hybridrt::cli::run(argc, argv));
+}

@@ -1,0 +1,29 @@
+#include "core/scene/scene.h"
+
+#include "core/base/check.h"
+
+namespace hybridrt {
+
+Aabb compute_bounds(const Scene& scene) {
+  Aabb bounds;
+  for (const uvec3& triangle : scene.triangle_positions)
+    for (int corner = 0; corner < 3; ++corner) bounds.grow(scene.positions[triangle[corner]]);
+  return bounds;
+}
+
+void validate(const Scene& scene) {
+  HRT_CHECK_EQ(scene.triangle_normals.size(), scene.triangle_count());
+  HRT_CHECK_EQ(scene.triangle_materials.size(), scene.triangle_count());
+  HRT_CHECK(!scene.materials.empty());
+  for (const vec3& p : scene.positions) HRT_CHECK(all_finite(p));
+  for (const vec3& n : scene.normals) HRT_CHECK(std::abs(glm::dot(n, n) - 1) < 2e-3f);
+  for (size_t i = 0; i < scene.triangle_count(); ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      HRT_CHECK(scene.triangle_positions[i][corner] < scene.positions.size());
+      HRT_CHECK(scene.triangle_normals[i][corner] < scene.normals.size());
+    }
+    HRT_CHECK(scene.triangle_materials[i] < scene.materials.size());
+  }
+}
+
+}  // namespace hybridrt

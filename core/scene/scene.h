@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/base/math.h"
+#include "core/scene/material.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hybridrt {
+
+struct DirectionalLight {
+  dvec3 toward{0, 1, 0};  ///< unit, from the scene toward the light
+  vec3 color{1};
+};
+
+/// Indexed triangles, filled once and then only read. Positions are floats relative to `origin_world`
+/// (scene space = world space - origin_world), so that a scene far from the world's origin keeps its
+/// precision; everything after loading works in scene space.
+struct Scene {
+  dvec3 origin_world{0};
+
+  std::vector<vec3> positions;                 ///< scene space, finite
+  std::vector<vec3> normals;                   ///< unit, scene space
+  std::vector<uvec3> triangle_positions;       ///< three indices into `positions` a triangle
+  std::vector<uvec3> triangle_normals;         ///< three indices into `normals` a triangle
+  std::vector<uint32_t> triangle_materials;    ///< index into `materials`
+  std::vector<Material> materials;             ///< resolved; at least one
+
+  std::vector<DirectionalLight> lights;        ///< empty: the command line adds the default light
+  vec3 ambient{0.15f};                         ///< times Kd
+  vec3 background{0.7f};
+
+  Aabb bounds;                                 ///< of all triangles, scene space
+
+  size_t triangle_count() const { return triangle_positions.size(); }
+  const Material& material_of(uint32_t triangle) const { return materials[triangle_materials[triangle]]; }
+  vec3 vertex(uint32_t triangle, int corner) const {
+    return positions[triangle_positions[triangle][corner]];
+  }
+};
+
+/// Bounds of the triangles (unused vertices do not count).
+Aabb compute_bounds(const Scene& scene);
+
+/// Throws CheckFailed unless every array has its promised size, every index is in range, every number
+/// finite and every normal unit within 1e-3. Loaders call it last.
+void validate(const Scene& scene);
+
+}  // namespace hybridrt
