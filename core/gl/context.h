@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/gl/functions.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hybridrt::gl {
+
+/// Which window-system-less binding of OpenGL to use.
+enum class Binding { any, egl, osmesa };
+
+struct ContextRequest {
+  Binding binding = Binding::any;
+  std::string device;             ///< an id as list_devices() gives it; empty: the best
+  bool require_hardware = false;  ///< refuse software renderers
+  int threads = 0;                ///< limit of a software renderer's own threads; 0: its default
+};
+
+/// Facts about an open context.
+struct ContextInfo {
+  std::string device;    ///< id: "egl:0", "surfaceless", "osmesa"
+  std::string binding;   ///< "EGL device", "EGL surfaceless", "OSMesa"
+  std::string vendor, renderer, version;
+  bool software = false;
+  int max_texture_px = 0;         ///< GL_MAX_TEXTURE_SIZE
+  int max_buffer_texels = 0;      ///< GL_MAX_TEXTURE_BUFFER_SIZE
+};
+
+/// What a device is before a context is opened on it; `problem` says why it cannot be used.
+struct DeviceInfo {
+  std::string id, description, problem;
+};
+
+/// An OpenGL 4.5 core context without a window, current on the thread that made it until it is destroyed.
+class Context {
+ public:
+  virtual ~Context() = default;
+  const Functions& functions() const { return functions_; }
+  const ContextInfo& info() const { return info_; }
+
+ protected:
+  Context() = default;
+  Functions functions_;
+  ContextInfo info_;
+};
+
+/// Opens the best context that the request allows: EGL devices (hardware first), EGL surfaceless, OSMesa.
+/// Throws Error(device) that says what was tried and how each failed.
+std::unique_ptr<Context> open_context(const ContextRequest& request);
+
+/// Tries every device there is, opening and closing a context on each; for `doctor`.
+std::vector<ContextInfo> probe_devices(std::vector<DeviceInfo>& failed);
+
+/// Throws Error(device) naming the limit if `size` of `what` is more than `limit`.
+void require_limit(const char* what, long long size, const char* limit_name, long long limit);
+
+}  // namespace hybridrt::gl

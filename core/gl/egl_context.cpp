@@ -1,0 +1,143 @@
+// Contexts without a window through EGL: one device of EGL_EXT_device_enumeration, or Mesa's surfaceless
+// platform. Every call goes through pointers from libEGL.so.1, opened at run time.
+
+#define EGL_EGL_PROTOTYPES 0
+#define EGL_EGLEXT_PROTOTYPES 0
+#define EGL_NO_X11
+#define MESA_EGL_NO_X11_HEADERS
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/gl/context_backends.h"
+#include "core/gl/library.h"
+
+namespace hybridrt::gl {
+namespace {
+
+constexpr const char* kSurfaceless = "surfaceless";
+constexpr int kMaxDevices = 64;
+
+struct Egl {
+  Library library{"libEGL.so.1"};
+  PFNEGLGETPROCADDRESSPROC GetProcAddress = library.symbol<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress");
+  PFNEGLQUERYSTRINGPROC QueryString = library.symbol<PFNEGLQUERYSTRINGPROC>("eglQueryString");
+  PFNEGLGETERRORPROC GetError = library.symbol<PFNEGLGETERRORPROC>("eglGetError");
+  PFNEGLINITIALIZEPROC Initialize = library.symbol<PFNEGLINITIALIZEPROC>("eglInitialize");
+  PFNEGLBINDAPIPROC BindAPI = library.symbol<PFNEGLBINDAPIPROC>("eglBindAPI");
+  PFNEGLCREATECONTEXTPROC CreateContext = library.symbol<PFNEGLCREATECONTEXTPROC>("eglCreateContext");
+  PFNEGLDESTROYCONTEXTPROC DestroyContext = library.symbol<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext");
+  PFNEGLMAKECURRENTPROC MakeCurrent = library.symbol<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
+  PFNEGLQUERYDEVICESEXTPROC QueryDevices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+  PFNEGLQUERYDEVICESTRINGEXTPROC QueryDeviceString =
+      extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+  PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplay =
+      extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+
+  template <typename FunctionPointer>
+  FunctionPointer extension(const char* name) const {
+    return reinterpret_cast<FunctionPointer>(GetProcAddress(name));
+  }
+
+  bool has(const char* client_extension) const {
+    const char* all = QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    return all && std::strstr(all, client_extension);
+  }
+
+  std::vector<EGLDeviceEXT> devices() const {
+    if (!QueryDevices || !has("EGL_EXT_platform_device")) return {};
+    EGLDeviceEXT found[kMaxDevices];
+    EGLint count = 0;
+    if (!QueryDevices(kMaxDevices, found, &count)) return {};
+    return {found, found + count};
+  }
+
+  bool is_software(EGLDeviceEXT device) const {
+    const char* extensions = QueryDeviceString ? QueryDeviceString(device, EGL_EXTENSIONS) : nullptr;
+    return extensions && std::strstr(extensions, "EGL_MESA_device_software");
+  }
+};
+
+class EglContext final : public Context {
+ public:
+  explicit EglContext(const std::string& device) {
+    display_ = display_of(device);
+    if (display_ == EGL_NO_DISPLAY) throw Error(ErrorKind::device, "EGL gives no display for it");
+    EGLint major = 0, minor = 0;
+    if (!egl_.Initialize(display_, &major, &minor)) fail("eglInitialize");
+    if (!egl_.BindAPI(EGL_OPENGL_API)) fail("eglBindAPI(OpenGL)");
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+#ifdef HYBRIDRT_GL_DEBUG
+                                 EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE,
+#endif
+                                 EGL_NONE};
+    context_ = egl_.CreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (context_ == EGL_NO_CONTEXT) fail("creating an OpenGL 4.5 core context");
+    if (!egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+      egl_.DestroyContext(display_, context_);
+      fail("making the context current without a surface");
+    }
+    functions_ = load_functions([&](const char* name) { return reinterpret_cast<void*>(egl_.GetProcAddress(name)); });
+    info_ = inspect_current_context(functions_);
+    info_.device = device;
+    info_.binding = device == kSurfaceless ? "EGL surfaceless" : "EGL device";
+  }
+
+  // The display stays initialised: EGL gives the same one to whoever asks again.
+  ~EglContext() override {
+    egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    egl_.DestroyContext(display_, context_);
+  }
+
+ private:
+  EGLDisplay display_of(const std::string& device) const {
+    if (!egl_.GetPlatformDisplay) throw Error(ErrorKind::device, "this EGL has no platform displays");
+    if (device == kSurfaceless)
+      return egl_.GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    const std::vector<EGLDeviceEXT> devices = egl_.devices();
+    for (size_t i = 0; i < devices.size(); ++i)
+      if (device == fmt::format("egl:{}", i))
+        return egl_.GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr);
+    throw Error(ErrorKind::device, "EGL lists no such device");
+  }
+
+  [[noreturn]] void fail(const char* step) const {
+    throw error(ErrorKind::device, "{} failed (EGL error 0x{:04X})", step, egl_.GetError());
+  }
+
+  Egl egl_;
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+/// A container often has the driver's libraries but not the file by which libglvnd finds them.
+std::string no_device_hint() {
+  return "EGL lists no device; an NVIDIA driver also needs its 10_nvidia.json in glvnd/egl_vendor.d "
+         "(or named by __EGL_VENDOR_LIBRARY_FILENAMES)";
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> list_egl_devices(std::string& problem) try {
+  const Egl egl;
+  std::vector<DeviceInfo> hardware, software;
+  const std::vector<EGLDeviceEXT> devices = egl.devices();
+  for (size_t i = 0; i < devices.size(); ++i) {
+    const bool soft = egl.is_software(devices[i]);
+    (soft ? software : hardware).push_back({fmt::format("egl:{}", i), soft ? "EGL software" : "EGL hardware", ""});
+  }
+  if (devices.empty()) problem = no_device_hint();
+  hardware.insert(hardware.end(), software.begin(), software.end());
+  if (egl.has("EGL_MESA_platform_surfaceless")) hardware.push_back({kSurfaceless, "EGL surfaceless", ""});
+  return hardware;
+} catch (const Error& no_library) {
+  problem = no_library.what();
+  return {};
+}
+
+std::unique_ptr<Context> open_egl(const std::string& device) { return std::make_unique<EglContext>(device); }
+
+}  // namespace hybridrt::gl

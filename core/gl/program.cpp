@@ -1,0 +1,118 @@
+#include "core/gl/program.h"
+
+#include "core/base/check.h"
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+namespace hybridrt::gl {
+namespace {
+
+void append_file(const ShaderSources& sources, std::string_view name, std::set<std::string, std::less<>>& seen,
+                 std::string& out) {
+  if (!seen.emplace(name).second) return;
+  const auto source = sources.find(name);
+  if (source == sources.end()) throw error(ErrorKind::device, "there is no shader file '{}'", name);
+
+  std::istringstream lines(source->second);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (line.starts_with("#include \"")) {
+      const size_t end = line.rfind('"');
+      append_file(sources, line.substr(10, end - 10), seen, out);
+      out += fmt::format("#line {}\n", number + 1);
+    } else {
+      out += line;
+      out += '\n';
+      if (line.starts_with("#version")) out += fmt::format("#line {}\n", number + 1);
+    }
+  }
+}
+
+GLenum stage_of(std::string_view file) {
+  if (file.ends_with(".vert")) return GL_VERTEX_SHADER;
+  if (file.ends_with(".frag")) return GL_FRAGMENT_SHADER;
+  HRT_CHECK(file.ends_with(".comp"));
+  return GL_COMPUTE_SHADER;
+}
+
+GLuint compile(const Functions& gl, const ShaderSources& sources, std::string_view file) {
+  const std::string text = expand_includes(sources, file);
+  const char* data = text.c_str();
+  const GLuint shader = gl.CreateShader(stage_of(file));
+  gl.ShaderSource(shader, 1, &data, nullptr);
+  gl.CompileShader(shader);
+  GLint ok = 0;
+  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+  if (ok) return shader;
+  char log[4096] = "";
+  gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
+  gl.DeleteShader(shader);
+  throw error(ErrorKind::device, "shader {} does not compile: {}", file, log);
+}
+
+}  // namespace
+
+ShaderSources load_shaders(const std::string& folder) {
+  ShaderSources sources;
+  std::error_code failure;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failure)) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    sources[entry.path().filename().string()] = {std::istreambuf_iterator<char>(file), {}};
+  }
+  if (failure || sources.empty())
+    throw error(ErrorKind::input, "{}: no shader folder that can be read; leave --shaders out to use the built-in ones",
+                folder);
+  return sources;
+}
+
+std::string expand_includes(const ShaderSources& sources, std::string_view name) {
+  std::set<std::string, std::less<>> seen;
+  std::string out;
+  append_file(sources, name, seen, out);
+  return out;
+}
+
+Program::Program(const Functions& gl, const ShaderSources& sources, std::initializer_list<std::string_view> files)
+    : gl_(gl) {
+  id_ = gl.CreateProgram();
+  for (std::string_view file : files) {
+    const GLuint shader = compile(gl, sources, file);
+    gl.AttachShader(id_, shader);
+    gl.DeleteShader(shader);  // lives on as long as the program
+    name_ += (name_.empty() ? "" : " + ") + std::string(file);
+  }
+  gl.LinkProgram(id_);
+  GLint ok = 0;
+  gl.GetProgramiv(id_, GL_LINK_STATUS, &ok);
+  if (!ok) {
+    char log[4096] = "";
+    gl.GetProgramInfoLog(id_, sizeof log, nullptr, log);
+    gl.DeleteProgram(id_);
+    throw error(ErrorKind::device, "shaders {} do not link: {}", name_, log);
+  }
+  gl.ObjectLabel(GL_PROGRAM, id_, static_cast<GLsizei>(name_.size()), name_.c_str());
+}
+
+Program::~Program() { gl_.DeleteProgram(id_); }
+
+GLint Program::location(const char* uniform) const {
+  const GLint location = gl_.GetUniformLocation(id_, uniform);
+  if (location < 0) throw CheckFailed(fmt::format("{} has no active uniform '{}'", name_, uniform));
+  return location;
+}
+
+void Program::set(const char* uniform, int value) const { gl_.ProgramUniform1i(id_, location(uniform), value); }
+void Program::set(const char* uniform, float value) const { gl_.ProgramUniform1f(id_, location(uniform), value); }
+void Program::set(const char* uniform, const vec3& value) const {
+  gl_.ProgramUniform3fv(id_, location(uniform), 1, &value.x);
+}
+void Program::set(const char* uniform, const mat4& value) const {
+  gl_.ProgramUniformMatrix4fv(id_, location(uniform), 1, GL_FALSE, &value[0].x);
+}
+
+}  // namespace hybridrt::gl

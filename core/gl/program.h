@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/base/math.h"
+#include "core/gl/functions.h"
+
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace hybridrt::gl {
+
+/// File name -> text of everything in shaders/. Shader files are compiled into the program
+/// (embedded_shaders) or read from a folder while they are being worked on (load_shaders).
+using ShaderSources = std::map<std::string, std::string, std::less<>>;
+
+ShaderSources embedded_shaders();
+
+/// Throws Error(input) when the folder cannot be read.
+ShaderSources load_shaders(const std::string& folder);
+
+/// The text of `name` with each `#include "FILE"` line replaced by that file, once. The lines keep
+/// their numbers in messages by #line. Throws Error(device) naming a file that does not exist.
+std::string expand_includes(const ShaderSources& sources, std::string_view name);
+
+/// A linked program. Stages by extension: .vert .frag .comp. Throws Error(device) with the driver's log.
+class Program {
+ public:
+  Program(const Functions& gl, const ShaderSources& sources, std::initializer_list<std::string_view> files);
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program();
+
+  void use() const { gl_.UseProgram(id_); }
+
+  /// A name that the program does not use is an error (CheckFailed): it is always our mistake.
+  void set(const char* uniform, int value) const;
+  void set(const char* uniform, float value) const;
+  void set(const char* uniform, const vec3& value) const;
+  void set(const char* uniform, const mat4& value) const;
+
+ private:
+  GLint location(const char* uniform) const;
+
+  const Functions& gl_;
+  GLuint id_ = 0;
+  std::string name_;
+};
+
+}  // namespace hybridrt::gl

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/base/math.h"
+
+// shaders/surface.glsl compiled as C++, in single and in double precision. Argument types choose.
+#define HRT_FN inline
+namespace hybridrt::surface_single {
+using namespace glm;
+using Real = float;
+using Vec3 = glm::vec3;
+#include "shaders/surface.glsl"
+}  // namespace hybridrt::surface_single
+
+namespace hybridrt::surface_double {
+using namespace glm;
+using Real = double;
+using Vec3 = glm::dvec3;
+#include "shaders/surface.glsl"
+}  // namespace hybridrt::surface_double
+#undef HRT_FN
+
+namespace hybridrt {
+using surface_double::clamped_barycentrics;
+using surface_double::normalized_or;
+using surface_double::phong;
+using surface_double::turned_toward;
+using surface_single::clamped_barycentrics;
+using surface_single::normalized_or;
+using surface_single::phong;
+using surface_single::turned_toward;
+}  // namespace hybridrt

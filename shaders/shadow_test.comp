@@ -1,0 +1,38 @@
+#version 450 core
+// Pass 2, second step: is the pixel's point in light, as far as the shadow map knows? Done once a pixel from
+// its id, not once a fragment while rasterising.
+#include "scene.glsl"
+
+layout(binding = HRT_UNIT_SHADOW_MAP) uniform sampler2D shadow_map;
+layout(binding = HRT_IMAGE_OUT, r8ui) uniform writeonly uimage2D mask;
+
+uniform mat4 light_texture_from_eye;  // x, y, depth in 0..1
+uniform vec3 to_light;
+uniform float texel_depth;  // one texel's width, in units of the map's depth
+
+const float kMaxSlope = 20.0;
+
+uint shadow_mask(ivec2 pixel) {
+  uint id = texelFetch(ids, pixel, 0).r;
+  if (id == HRT_NO_TRIANGLE) return HRT_MASK_NO_RECEIVER;
+  vec3 dir = pixel_ray(pixel);
+  Triangle t = fetch_triangle(id);
+  float cos_light = dot(geometric_normal(t, dir), to_light);
+  if (cos_light <= 0.0) return 0;  // seen from its unlit side
+
+  vec3 weights = clamped_barycentrics(t.p0, t.p1, t.p2, dir);
+  vec3 point = weights.x * t.p0 + weights.y * t.p1 + weights.z * t.p2;
+  vec3 in_map = (light_texture_from_eye * vec4(point, 1.0)).xyz;
+  // The map knows the depth at the texel's centre, up to 0.71 texels away along the slope.
+  float slope = min(sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light, kMaxSlope);
+  ivec2 size = textureSize(shadow_map, 0);
+  ivec2 texel = clamp(ivec2(in_map.xy * vec2(size)), ivec2(0), size - 1);
+  float nearest = texelFetch(shadow_map, texel, 0).r;
+  return nearest < in_map.z - texel_depth * (slope + 0.2) ? 0 : HRT_MASK_LIT;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, textureSize(ids, 0)))) return;
+  imageStore(mask, pixel, uvec4(shadow_mask(pixel)));
+}

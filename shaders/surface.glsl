@@ -1,0 +1,41 @@
+// The surface seen at a pixel and its light: one source, compiled as GLSL and, in single and in double
+// precision, as C++ (core/trace/surface.h), so that GPU and CPU shade alike.
+// The includer provides Real, Vec3 and HRT_FN (`inline` in C++).
+
+// Barycentric weights of the point where the line through the origin along `dir` meets the triangle's
+// plane, pulled into the triangle: rasterisation snaps vertices to a fraction of a pixel, so a pixel's
+// centre may see a triangle that it misses by a hair.
+HRT_FN Vec3 clamped_barycentrics(Vec3 p0, Vec3 p1, Vec3 p2, Vec3 dir) {
+  Vec3 e1 = p1 - p0;
+  Vec3 e2 = p2 - p0;
+  Vec3 p = cross(dir, e2);
+  Real determinant = dot(e1, p);
+  if (determinant == Real(0)) return Vec3(Real(1) / Real(3));  // seen edge-on
+  Real u = max(-dot(p0, p) / determinant, Real(0));
+  Real v = max(-dot(dir, cross(p0, e1)) / determinant, Real(0));
+  Real outside = max(u + v, Real(1));
+  u /= outside;
+  v /= outside;
+  return Vec3(Real(1) - u - v, u, v);
+}
+
+// `normal` on the side that `side` points to (dot >= 0).
+HRT_FN Vec3 turned_toward(Vec3 normal, Vec3 side) { return dot(normal, side) < Real(0) ? -normal : normal; }
+
+// Unit length; `otherwise` where there is no direction left.
+HRT_FN Vec3 normalized_or(Vec3 v, Vec3 otherwise) {
+  Real squared = dot(v, v);
+  return squared > Real(0) ? v / sqrt(squared) : otherwise;
+}
+
+// Emission + ambient light + one directional light by Blinn and Phong, with the paper's half vector
+// (pass 5). `normal`, `to_eye`, `to_light` unit; `lit` is 0 in shadow, 1 in light; `opacity` is MTL's d.
+HRT_FN Vec3 phong(Vec3 kd, Vec3 ks, Vec3 ke, Real ns, Real opacity, Vec3 normal, Vec3 to_eye, Vec3 to_light,
+                  Vec3 ambient, Vec3 light, Real lit) {
+  Vec3 color = ke + opacity * ambient * kd;
+  Real cos_light = dot(normal, to_light);
+  if (cos_light <= Real(0)) return color;
+  Vec3 halfway = normalized_or(to_light + to_eye, normal);
+  Real highlight = ns > Real(0) ? pow(max(dot(normal, halfway), Real(0)), ns) : Real(1);
+  return color + lit * light * (opacity * cos_light * kd + highlight * ks);
+}
