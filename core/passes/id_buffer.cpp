@@ -1,0 +1,58 @@
+#include "core/passes/id_buffer.h"
+
+#include "core/passes/shadow_map.h"
+#include "shaders/shared.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+
+namespace hybridrt {
+
+IdBufferPass::IdBufferPass(const gl::Functions& gl, const gl::ShaderSources& shaders)
+    : gl_(gl), program_(gl, shaders, {"id.vert", "id.frag"}) {}
+
+void IdBufferPass::run(const In& in, const Out& out) const {
+  const gl::Functions& gl = gl_;
+  const GLuint no_triangle[4] = {kNoTriangle, 0, 0, 0};
+  const float infinitely_far = 0;  // reversed depth
+  gl.BindFramebuffer(GL_FRAMEBUFFER, out.ids.id());
+  gl.Viewport(0, 0, in.view.width_px, in.view.height_px);
+  gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthMask(GL_TRUE);
+  gl.DepthFunc(GL_GREATER);
+  gl.ClearNamedFramebufferuiv(out.ids.id(), GL_COLOR, 0, no_triangle);
+  gl.ClearNamedFramebufferfv(out.ids.id(), GL_DEPTH, 0, &infinitely_far);
+
+  program_.use();
+  set_eye_uniforms(program_, in.view.eye);
+  program_.set("clip_from_eye", mat4(clip_from_eye(in.view, in.near_distance)));
+  in.scene.draw(gl);
+  gl::throw_on_error(gl, "pass 2, triangle ids");
+}
+
+ShadowTestPass::ShadowTestPass(const gl::Functions& gl, const gl::ShaderSources& shaders)
+    : gl_(gl), program_(gl, shaders, {"shadow_test.comp"}) {}
+
+void ShadowTestPass::run(const In& in, const Out& out) const {
+  const gl::Functions& gl = gl_;
+  const dvec3 box = in.light.hi - in.light.lo;
+  const double texel = std::max(box.x, box.y) / in.shadow_map_size_px;
+  in.scene.bind_geometry(gl);
+  gl.BindTextureUnit(HRT_UNIT_IDS, in.ids.id());
+  gl.BindTextureUnit(HRT_UNIT_SHADOW_MAP, in.shadow_map.id());
+  gl.BindImageTexture(HRT_IMAGE_OUT, out.mask.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R8UI);
+
+  program_.use();
+  set_view_uniforms(program_, in.view);
+  program_.set("light_texture_from_eye",
+               mat4(shadow_map_from_scene(in.light) * glm::translate(dmat4(1), in.view.eye)));
+  program_.set("to_light", vec3(in.light.toward));
+  program_.set("texel_depth", static_cast<float>(texel / box.z));
+  gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);
+  gl::throw_on_error(gl, "pass 2, shadow test");
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/passes/scene_gpu.h"
+#include "core/scene/light_frame.h"
+
+namespace hybridrt {
+
+/// Pass 2, first step (paper, section 3.4): the number of the triangle that each pixel sees.
+struct IdBufferPass {
+  IdBufferPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
+
+  struct In {
+    const SceneGpu& scene;
+    const View& view;
+    double near_distance;
+  };
+  struct Out {
+    const gl::Framebuffer& ids;  ///< R32UI and DEPTH_COMPONENT32F, of the view's size, row 0 on top
+  };
+  void run(const In& in, const Out& out) const;
+
+ private:
+  const gl::Functions& gl_;
+  gl::Program program_;
+};
+
+/// Pass 2, second step: the shadow-map test, once for every pixel that sees a triangle.
+struct ShadowTestPass {
+  ShadowTestPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
+
+  struct In {
+    const SceneGpu& scene;
+    const View& view;
+    const LightFrame& light;
+    const gl::Texture& ids;
+    const gl::Texture& shadow_map;
+    int shadow_map_size_px;
+  };
+  struct Out {
+    const gl::Texture& mask;  ///< R8UI, HRT_MASK_* bits (shaders/shared.h)
+  };
+  void run(const In& in, const Out& out) const;
+
+ private:
+  const gl::Functions& gl_;
+  gl::Program program_;
+};
+
+}  // namespace hybridrt

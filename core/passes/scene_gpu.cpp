@@ -1,0 +1,93 @@
+#include "core/passes/scene_gpu.h"
+
+#include "shaders/shared.h"
+
+#include <vector>
+
+namespace hybridrt {
+namespace {
+
+static_assert(HRT_NO_TRIANGLE == kNoTriangle);
+static_assert(sizeof(vec3) == 12 && sizeof(uvec3) == 12);
+
+template <typename T>
+gl::Buffer upload(const gl::Functions& gl, const std::vector<T>& values, const char* label) {
+  return gl::Buffer(gl, values.size() * sizeof(T), values.data(), 0, label);
+}
+
+std::vector<vec4> material_texels(const Scene& scene) {
+  std::vector<vec4> texels;
+  for (const Material& m : scene.materials) {
+    texels.push_back(vec4(m.kd, m.ns));
+    texels.push_back(vec4(m.ks, m.opacity));
+    texels.push_back(vec4(m.ke, 0));
+  }
+  static_assert(HRT_MATERIAL_TEXELS == 3);
+  return texels;
+}
+
+void require_fit(const gl::Context& context, const char* what, size_t count) {
+  gl::require_limit(what, static_cast<long long>(count), "GL_MAX_TEXTURE_BUFFER_SIZE",
+                    context.info().max_buffer_texels);
+}
+
+}  // namespace
+
+SceneGpu::SceneGpu(const gl::Context& context, const Scene& scene) {
+  require_fit(context, "a number of triangles", scene.triangle_count());
+  require_fit(context, "a number of vertices", scene.positions.size());
+  require_fit(context, "a number of normals", scene.normals.size());
+  require_fit(context, "a number of materials", scene.materials.size() * HRT_MATERIAL_TEXELS);
+
+  const gl::Functions& gl = context.functions();
+  index_count = static_cast<int>(3 * scene.triangle_count());
+  positions = upload(gl, scene.positions, "positions");
+  triangle_positions = upload(gl, scene.triangle_positions, "triangle positions");
+  normals = upload(gl, scene.normals, "normals");
+  triangle_normals = upload(gl, scene.triangle_normals, "triangle normals");
+  triangle_materials = upload(gl, scene.triangle_materials, "triangle materials");
+  materials = upload(gl, material_texels(scene), "materials");
+  positions_texels = {gl, positions, GL_RGB32F, "positions"};
+  triangle_positions_texels = {gl, triangle_positions, GL_RGB32UI, "triangle positions"};
+  normals_texels = {gl, normals, GL_RGB32F, "normals"};
+  triangle_normals_texels = {gl, triangle_normals, GL_RGB32UI, "triangle normals"};
+  triangle_materials_texels = {gl, triangle_materials, GL_R32UI, "triangle materials"};
+  materials_texels = {gl, materials, GL_RGBA32F, "materials"};
+  vertex_array = {gl, positions, triangle_positions, "scene"};
+  gl::throw_on_error(gl, "uploading the scene");
+}
+
+void SceneGpu::draw(const gl::Functions& gl) const {
+  gl.BindVertexArray(vertex_array.id());
+  gl.DrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
+}
+
+void SceneGpu::bind_geometry(const gl::Functions& gl) const {
+  gl.BindTextureUnit(HRT_UNIT_POSITIONS, positions_texels.id());
+  gl.BindTextureUnit(HRT_UNIT_TRIANGLE_POSITIONS, triangle_positions_texels.id());
+}
+
+void SceneGpu::bind_shading(const gl::Functions& gl) const {
+  bind_geometry(gl);
+  gl.BindTextureUnit(HRT_UNIT_NORMALS, normals_texels.id());
+  gl.BindTextureUnit(HRT_UNIT_TRIANGLE_NORMALS, triangle_normals_texels.id());
+  gl.BindTextureUnit(HRT_UNIT_TRIANGLE_MATERIALS, triangle_materials_texels.id());
+  gl.BindTextureUnit(HRT_UNIT_MATERIALS, materials_texels.id());
+}
+
+void set_eye_uniforms(const gl::Program& program, const dvec3& eye) {
+  const vec3 high(eye);
+  program.set("eye_high", high);
+  program.set("eye_low", vec3(eye - dvec3(high)));
+}
+
+void set_view_uniforms(const gl::Program& program, const View& view) {
+  set_eye_uniforms(program, view.eye);
+  program.set("ray_first", vec3(view.ray_first()));
+  program.set("ray_step_x", vec3(view.ray_step_x()));
+  program.set("ray_step_y", vec3(view.ray_step_y()));
+}
+
+int group_count(int size_px) { return (size_px + HRT_GROUP_PX - 1) / HRT_GROUP_PX; }
+
+}  // namespace hybridrt

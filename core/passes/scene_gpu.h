@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/gl/context.h"
+#include "core/gl/objects.h"
+#include "core/gl/program.h"
+#include "core/scene/scene.h"
+#include "core/scene/view.h"
+
+namespace hybridrt {
+
+/// The scene's arrays in GPU memory, made once, then only read. Each index buffer serves both drawing and,
+/// as a buffer texture, per-pixel lookups.
+struct SceneGpu {
+  /// Throws Error(device) naming the limit when the scene does not fit the device's buffer textures.
+  SceneGpu(const gl::Context& context, const Scene& scene);
+
+  int index_count = 0;
+  gl::Buffer positions, triangle_positions, normals, triangle_normals, triangle_materials, materials;
+  gl::BufferTexture positions_texels, triangle_positions_texels, normals_texels, triangle_normals_texels,
+      triangle_materials_texels, materials_texels;
+  gl::VertexArray vertex_array;
+
+  /// Draws every triangle; gl_PrimitiveID is the triangle's number.
+  void draw(const gl::Functions& gl) const;
+  /// Binds what shaders/scene.glsl reads.
+  void bind_geometry(const gl::Functions& gl) const;
+  /// Binds normals and materials too.
+  void bind_shading(const gl::Functions& gl) const;
+};
+
+/// The uniforms of shaders/scene.glsl that come from the camera.
+void set_view_uniforms(const gl::Program& program, const View& view);
+
+/// `eye_high` and `eye_low`: the eye as the sum of two floats.
+void set_eye_uniforms(const gl::Program& program, const dvec3& eye);
+
+/// Work groups that cover `size_px` pixels along one side.
+int group_count(int size_px);
+
+}  // namespace hybridrt

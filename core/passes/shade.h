@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/passes/scene_gpu.h"
+
+namespace hybridrt {
+
+/// Pass 5 (paper, section 3.4): ambient + shadow · (diffuse + specular) + traced contribution, once a
+/// pixel from its id.
+struct ShadePass {
+  ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders);
+
+  struct In {
+    const SceneGpu& scene;
+    const View& view;
+    const gl::Texture& ids;
+    const gl::Texture* mask;    ///< R8UI, HRT_MASK_LIT where the light arrives; null: everywhere
+    const gl::Texture* traced;  ///< RGBA32F, added to the colour; null: nothing
+    dvec3 to_light;
+    vec3 light, ambient, background;
+  };
+  struct Out {
+    const gl::Texture& picture;  ///< RGBA32F, linear; alpha 1 where a surface is seen, else 0
+  };
+  void run(const In& in, const Out& out) const;
+
+ private:
+  const gl::Functions& gl_;
+  gl::Program program_;
+};
+
+}  // namespace hybridrt

@@ -1,0 +1,31 @@
+#include "core/passes/shadow_map.h"
+
+namespace hybridrt {
+
+ShadowMapPass::ShadowMapPass(const gl::Functions& gl, const gl::ShaderSources& shaders)
+    : gl_(gl), program_(gl, shaders, {"shadow_map.vert"}) {}
+
+dmat4 shadow_map_from_scene(const LightFrame& light) { return light.unit_from_scene(); }
+
+void ShadowMapPass::run(const In& in, const Out& out) const {
+  const gl::Functions& gl = gl_;
+  const float farthest = 1;
+  gl.BindFramebuffer(GL_FRAMEBUFFER, out.depth.id());
+  gl.Viewport(0, 0, in.size_px, in.size_px);
+  gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthMask(GL_TRUE);
+  gl.DepthFunc(GL_LESS);
+  gl.ClearNamedFramebufferfv(out.depth.id(), GL_DEPTH, 0, &farthest);
+
+  // x and y from 0..1 to clip space's -1..1; depth is 0..1 in both.
+  dmat4 clip_from_unit(1);
+  clip_from_unit[0][0] = clip_from_unit[1][1] = 2;
+  clip_from_unit[3][0] = clip_from_unit[3][1] = -1;
+  program_.use();
+  program_.set("light_clip_from_scene", mat4(clip_from_unit * shadow_map_from_scene(in.light)));
+  in.scene.draw(gl);
+  gl::throw_on_error(gl, "pass 1, shadow map");
+}
+
+}  // namespace hybridrt

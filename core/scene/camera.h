@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/base/math.h"
+
+namespace hybridrt {
+
+/// Where a picture is taken from, in world space.
+struct Camera {
+  dvec3 eye_world{0, 0, 1};
+  dvec3 target_world{0};
+  dvec3 up{0, 1, 0};
+  double fov_y_rad = 0.7853981633974483;  ///< 45 degrees, vertical
+};
+
+/// Where the camera goes: around `target_world` on a circle about the up axis.
+struct Orbit {
+  dvec3 target_world{0};
+  double radius = 1;         ///< horizontal distance of the eye from the axis
+  double height = 0;         ///< of the eye above the target
+  double from_rad = 0;       ///< azimuth of the first frame: 0 looks along -z, growing toward +x
+  double to_rad = 2 * kPi;   ///< azimuth where the turn ends; the last frame stops one step short of it
+  double fov_y_rad = 0.7853981633974483;
+};
+
+/// The eye `fraction` (0..1) of the way through the orbit.
+Camera camera_on_orbit(const Orbit& orbit, double fraction);
+
+/// An orbit, slightly from above, from which the whole of `bounds` (scene space) stays in view of a
+/// picture `aspect` times as wide as high.
+Orbit default_orbit(const Aabb& bounds, const dvec3& scene_origin_world, double aspect, double fov_y_rad);
+
+/// Direction toward the default light: from above, to the left of and behind `camera`. Unit.
+dvec3 default_light_toward(const Camera& camera);
+
+}  // namespace hybridrt

@@ -1,0 +1,43 @@
+#include "core/scene/view.h"
+
+#include "core/base/error.h"
+
+namespace hybridrt {
+namespace {
+
+dvec3 perpendicular_part(const dvec3& v, const dvec3& unit_axis) { return v - glm::dot(v, unit_axis) * unit_axis; }
+
+}  // namespace
+
+View make_view(const Camera& camera, const dvec3& scene_origin_world, int width_px, int height_px) {
+  View view;
+  view.width_px = width_px;
+  view.height_px = height_px;
+  view.eye = camera.eye_world - scene_origin_world;
+
+  const dvec3 gaze = camera.target_world - camera.eye_world;
+  const double distance = glm::length(gaze);
+  if (!(distance > 0) || !std::isfinite(distance))
+    throw Error(ErrorKind::input, "the camera's eye and target are the same point; move one of them");
+  view.forward = gaze / distance;
+
+  constexpr double kSmallestSine = 1e-6;
+  dvec3 up = perpendicular_part(camera.up, view.forward);
+  if (!(glm::length(up) > kSmallestSine * glm::length(camera.up)))
+    up = perpendicular_part(std::abs(view.forward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(0, 0, -1), view.forward);
+  view.up = glm::normalize(up);
+  view.right = glm::cross(view.forward, view.up);
+
+  view.tan_half_height = std::tan(0.5 * camera.fov_y_rad);
+  view.tan_half_width = view.tan_half_height * width_px / height_px;
+  return view;
+}
+
+dmat4 clip_from_eye(const View& view, double near_distance) {
+  const dvec3 x = view.right / view.tan_half_width;
+  const dvec3 y = view.up / view.tan_half_height;
+  const dvec3& w = view.forward;
+  return glm::transpose(dmat4(dvec4(x, 0), dvec4(y, 0), dvec4(0, 0, 0, near_distance), dvec4(w, 0)));
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/base/math.h"
+#include "core/scene/camera.h"
+
+namespace hybridrt {
+
+/// A camera and a picture's size, ready for rays and matrices. Scene space, double precision; everything
+/// that works in float subtracts the eye first.
+struct View {
+  int width_px = 0, height_px = 0;
+  dvec3 eye{0};
+  dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  ///< orthonormal
+  double tan_half_width = 1, tan_half_height = 1;        ///< of the picture's edges, from its middle
+
+  /// Direction through the centre of pixel (x, y), row 0 on top; its component along `forward` is 1.
+  dvec3 pixel_dir(int x, int y) const {
+    return ray_first() + static_cast<double>(x) * ray_step_x() + static_cast<double>(y) * ray_step_y();
+  }
+  dvec3 ray_first() const { return forward - tan_half_width * right + tan_half_height * up + 0.5 * (ray_step_x() + ray_step_y()); }
+  dvec3 ray_step_x() const { return 2 * tan_half_width / width_px * right; }
+  dvec3 ray_step_y() const { return -2 * tan_half_height / height_px * up; }
+};
+
+/// Throws Error(input) when eye and target coincide. An `up` along the view is replaced by another one.
+View make_view(const Camera& camera, const dvec3& scene_origin_world, int width_px, int height_px);
+
+/// Perspective projection of positions relative to the eye. Depth is reversed and reaches infinity
+/// (depth = near / distance): with float depth every distance keeps the same relative precision.
+/// For glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE).
+dmat4 clip_from_eye(const View& view, double near_distance);
+
+}  // namespace hybridrt

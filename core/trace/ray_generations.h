@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/trace/ray_caster.h"
+#include "core/trace/scatter.h"
+#include "core/trace/trace_job.h"
+
+#include <span>
+#include <vector>
+
+namespace hybridrt {
+
+/// A ray's weight under which it ends: its light could not change an 8-bit pixel.
+inline constexpr float kSmallestWeight = 1.0f / 1024;
+
+/// The paper's generations of rays (section 3.2), for one tile of the picture on one thread: rays wait in a
+/// queue; a step takes the newest batch, intersects it, asks its shadow rays, shades its hits into the
+/// tile's pixels, and queues the rays that the hits send on. Taking the newest first bounds the queue to
+/// tile rays + 2 x batch x depth, however many branches there are; while a generation fits a batch, one
+/// step is one generation.
+template <typename Real>
+class RayGenerations {
+ public:
+  RayGenerations(const TraceJob& job, const RayCaster<Real>& caster);
+
+  /// What a step found out about the primary generation; see shade_primary_hits.
+  struct PrimaryHit {
+    uint32_t triangle = kNoTriangle;
+    bool lit = false;
+  };
+
+  /// Queues the ray through the centre of a pixel; `pixel` is its place in the tile.
+  void add_primary(uint32_t pixel, int x, int y);
+
+  /// Queues what a primary surface sends on. `dir` unit.
+  void add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& dir, TraceStats& stats);
+
+  /// Runs until the queue is empty. Adds light to `colors` (one a pixel of the tile). `primary_hits` is
+  /// filled for primary rays; it may be empty when none were added.
+  void run(std::span<Vec3<Real>> colors, std::span<PrimaryHit> primary_hits, TraceStats& stats);
+
+ private:
+  struct Tag {
+    Vec3<Real> weight;
+    uint32_t pixel;
+    int generation;  ///< 0: primary
+  };
+
+  void take_batch();
+  void ask_shadow_rays(TraceStats& stats);
+  void scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& dir, TraceStats& stats);
+  void push(const Ray<Real>& ray, const Tag& tag);
+
+  const TraceJob& job_;
+  const RayCaster<Real>& caster_;
+  const Vec3<Real> to_light_;
+
+  std::vector<Ray<Real>> rays_;  ///< the queue, newest last
+  std::vector<Tag> tags_;
+
+  // The batch in work.
+  std::vector<Ray<Real>> batch_rays_, shadow_rays_;
+  std::vector<Tag> batch_tags_;
+  std::vector<Hit<Real>> hits_;
+  std::vector<Surface<Real>> surfaces_;
+  std::vector<uint32_t> shadow_owner_;
+  std::vector<uint8_t> occluded_, lit_;
+};
+
+/// Thread time in milliseconds, for differences.
+double thread_cpu_ms();
+
+extern template class RayGenerations<float>;
+extern template class RayGenerations<double>;
+
+}  // namespace hybridrt

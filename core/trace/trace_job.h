@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/scene/view.h"
+
+#include <cstdint>
+
+namespace hybridrt {
+
+/// What the CPU tracer needs to know of a frame. Refers to scene and view, which must outlive it.
+struct TraceJob {
+  const Scene& scene;
+  const View& view;
+  DirectionalLight light;
+  bool shadows = true;       ///< shadow rays at the hits of reflected and refracted rays
+  int reflection_depth = 4;  ///< generations after the primary one
+};
+
+/// What pass 4 did. Rays are counted when they are fired.
+struct TraceStats {
+  int64_t pixels_hit = 0, pixels_marked = 0, pixels_reflective = 0, pixels_refractive = 0;
+  int64_t shadow_rays = 0;          ///< all generations
+  int64_t primary_shadow_rays = 0;  ///< those of the primary generation
+  int64_t reflection_rays = 0, refraction_rays = 0;
+  double shadow_cpu_ms = 0;     ///< thread time of the primary generation's shadow rays
+  double secondary_cpu_ms = 0;  ///< thread time of everything after the primary generation
+
+  void add(const TraceStats& other);
+};
+
+}  // namespace hybridrt

@@ -1,0 +1,153 @@
+#include "core/trace/trace_pass.h"
+
+#include "core/trace/ray_generations.h"
+#include "shaders/shared.h"
+
+#include <mutex>
+
+namespace hybridrt {
+namespace {
+
+constexpr int kTile_px = 32;
+
+struct Tile {
+  int x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1)
+  uint32_t width() const { return static_cast<uint32_t>(x1 - x0); }
+  uint32_t pixel_count() const { return width() * static_cast<uint32_t>(y1 - y0); }
+};
+
+/// Calls body(tile, stats) for every tile of the picture; returns the sum of the stats. Counts do not
+/// depend on the order of the tiles; times are sums of noise anyway.
+template <typename Body>
+TraceStats for_each_tile(const View& view, ThreadPool& pool, const Body& body) {
+  const int tiles_x = (view.width_px + kTile_px - 1) / kTile_px;
+  const int tiles_y = (view.height_px + kTile_px - 1) / kTile_px;
+  TraceStats total;
+  std::mutex mutex;
+  pool.run(static_cast<size_t>(tiles_x) * tiles_y, [&](size_t index, int) {
+    const int x0 = static_cast<int>(index) % tiles_x * kTile_px, y0 = static_cast<int>(index) / tiles_x * kTile_px;
+    TraceStats stats;
+    body(Tile{x0, y0, std::min(x0 + kTile_px, view.width_px), std::min(y0 + kTile_px, view.height_px)}, stats);
+    std::lock_guard lock(mutex);
+    total.add(stats);
+  });
+  return total;
+}
+
+/// The surface that a pixel sees, found again from its triangle in double precision.
+Surface<float> primary_surface(const TraceJob& job, uint32_t triangle, const dvec3& dir) {
+  const dvec3& eye = job.view.eye;
+  const dvec3 weights = clamped_barycentrics(dvec3(job.scene.vertex(triangle, 0)) - eye,
+                                             dvec3(job.scene.vertex(triangle, 1)) - eye,
+                                             dvec3(job.scene.vertex(triangle, 2)) - eye, dir);
+  return surface_at(job.scene, triangle, static_cast<float>(weights.y), static_cast<float>(weights.z), vec3(dir));
+}
+
+/// One tile of pass 4 and its scratch memory.
+class TileTrace {
+ public:
+  TileTrace(const TraceJob& job, const RayCaster<float>& caster, const TracePixels& pixels)
+      : job_(job), caster_(caster), pixels_(pixels), generations_(job, caster) {}
+
+  void run(const Tile& tile, TraceStats& stats) {
+    std::vector<vec3> colors(pixels_.traced.empty() ? 0 : tile.pixel_count());
+    const double started_ms = thread_cpu_ms();
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (int x = tile.x0; x < tile.x1; ++x)
+        visit(x, y, static_cast<uint32_t>(y - tile.y0) * tile.width() + static_cast<uint32_t>(x - tile.x0), stats);
+    ask_shadow_rays(stats);
+    stats.shadow_cpu_ms += thread_cpu_ms() - started_ms;
+
+    if (pixels_.traced.empty()) return;
+    generations_.run(colors, {}, stats);
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        const size_t in_tile = static_cast<size_t>(y - tile.y0) * tile.width() + static_cast<size_t>(x - tile.x0);
+        pixels_.traced[index_of(x, y)] = vec4(colors[in_tile], 0);
+      }
+  }
+
+ private:
+  size_t index_of(int x, int y) const { return static_cast<size_t>(y) * job_.view.width_px + x; }
+
+  void visit(int x, int y, uint32_t in_tile, TraceStats& stats) {
+    const size_t index = index_of(x, y);
+    const uint32_t triangle = pixels_.ids[index];
+    const bool wants_lit = !pixels_.lit.empty();
+    if (wants_lit) pixels_.lit[index] = 0;
+    if (triangle == kNoTriangle) return;
+    ++stats.pixels_hit;
+
+    const bool marked = pixels_.mask.empty() || (pixels_.mask[index] & HRT_MASK_MARKED);
+    const Material& material = job_.scene.material_of(triangle);
+    const bool scatters = !pixels_.traced.empty() && (material.reflective() || material.transmissive());
+    if (wants_lit) {
+      stats.pixels_marked += marked;
+      if (!marked) pixels_.lit[index] = pixels_.mask[index] & HRT_MASK_LIT;
+    }
+    if (!(wants_lit && marked) && !scatters) return;
+
+    const dvec3 dir = glm::normalize(job_.view.pixel_dir(x, y));
+    const Surface<float> surface = primary_surface(job_, triangle, dir);
+    const vec3 to_light(job_.light.toward);
+    if (wants_lit && marked && glm::dot(surface.side, to_light) > 0) {  // the unlit side needs no ray
+      shadow_rays_.push_back(leave(surface, to_light));
+      shadow_owner_.push_back(index);
+    }
+    if (scatters) generations_.add_scattered(in_tile, surface, vec3(dir), stats);
+  }
+
+  void ask_shadow_rays(TraceStats& stats) {
+    occluded_.resize(shadow_rays_.size());
+    caster_.any_hits(shadow_rays_, occluded_);
+    for (size_t i = 0; i < occluded_.size(); ++i) pixels_.lit[shadow_owner_[i]] = occluded_[i] ? 0 : HRT_MASK_LIT;
+    stats.shadow_rays += static_cast<int64_t>(shadow_rays_.size());
+    stats.primary_shadow_rays += static_cast<int64_t>(shadow_rays_.size());
+  }
+
+  const TraceJob& job_;
+  const RayCaster<float>& caster_;
+  const TracePixels& pixels_;
+  RayGenerations<float> generations_;
+  std::vector<Ray<float>> shadow_rays_;
+  std::vector<size_t> shadow_owner_;
+  std::vector<uint8_t> occluded_;
+};
+
+}  // namespace
+
+TraceStats trace_pass(const TraceJob& job, const RayCaster<float>& caster, ThreadPool& pool,
+                      const TracePixels& pixels) {
+  return for_each_tile(job.view, pool, [&](const Tile& tile, TraceStats& stats) {
+    TileTrace(job, caster, pixels).run(tile, stats);
+  });
+}
+
+template <typename Real>
+TraceStats trace_frame(const TraceJob& job, const RayCaster<Real>& caster, ThreadPool& pool,
+                       const TracedFrame<Real>& frame) {
+  return for_each_tile(job.view, pool, [&](const Tile& tile, TraceStats& stats) {
+    RayGenerations<Real> generations(job, caster);
+    std::vector<Vec3<Real>> colors(tile.pixel_count());
+    std::vector<typename RayGenerations<Real>::PrimaryHit> primary(tile.pixel_count());
+    uint32_t in_tile = 0;
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (int x = tile.x0; x < tile.x1; ++x) generations.add_primary(in_tile++, x, y);
+    generations.run(colors, primary, stats);
+
+    in_tile = 0;
+    for (int y = tile.y0; y < tile.y1; ++y)
+      for (int x = tile.x0; x < tile.x1; ++x, ++in_tile) {
+        const size_t index = static_cast<size_t>(y) * job.view.width_px + x;
+        const bool hit = primary[in_tile].triangle != kNoTriangle;
+        frame.picture[index] = vec4(vec3(colors[in_tile]), hit ? 1 : 0);
+        frame.ids[index] = primary[in_tile].triangle;
+        frame.lit[index] = primary[in_tile].lit ? HRT_MASK_LIT : 0;
+      }
+  });
+}
+
+template TraceStats trace_frame(const TraceJob&, const RayCaster<float>&, ThreadPool&, const TracedFrame<float>&);
+template TraceStats trace_frame(const TraceJob&, const RayCaster<double>&, ThreadPool&, const TracedFrame<double>&);
+
+}  // namespace hybridrt
