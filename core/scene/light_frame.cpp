@@ -13,7 +13,7 @@ dmat4 LightFrame::unit_from_scene() const {
 
 LightFrame fit_light_frame(const Scene& scene, const dvec3& toward) {
   LightFrame frame;
-  frame.toward = glm::normalize(toward);
+  frame.toward = toward;
   const dvec3 other = std::abs(frame.toward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
   frame.x_axis = glm::normalize(glm::cross(other, frame.toward));
   frame.y_axis = glm::cross(frame.toward, frame.x_axis);

@@ -16,7 +16,7 @@ struct LightFrame {
   dmat4 unit_from_scene() const;
 };
 
-/// Goes through all vertices of all triangles; keep the result while light and scene stand still.
+/// `toward` unit. Goes through all vertices of all triangles; keep the result while light and scene stand still.
 LightFrame fit_light_frame(const Scene& scene, const dvec3& toward);
 
 }  // namespace hybridrt

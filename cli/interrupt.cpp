@@ -1,0 +1,34 @@
+#include "cli/interrupt.h"
+
+#include <unistd.h>
+
+#include <csignal>
+
+namespace hybridrt::cli {
+namespace {
+
+// A signal handler can talk to the program through nothing else.
+volatile std::sig_atomic_t first_signal = 0;
+
+void handle(int signal) {
+  if (first_signal) _exit(128 + signal);
+  first_signal = signal;
+}
+
+}  // namespace
+
+void catch_signals() {
+  std::signal(SIGINT, handle);
+  std::signal(SIGTERM, handle);
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+bool stop_requested() { return first_signal != 0; }
+
+ExitCode interrupted_or(ExitCode otherwise) {
+  if (!stop_requested()) return otherwise;
+  return first_signal == SIGINT ? ExitCode::interrupted : ExitCode::terminated;
+}
+
+}  // namespace hybridrt::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "cli/exit_codes.h"
+
+namespace hybridrt::cli {
+
+/// From now on the first SIGINT or SIGTERM only asks to stop after the frames in work; a second one ends
+/// the process at once. Writing to a closed pipe or past a file size limit becomes an error instead of death.
+void catch_signals();
+
+/// True once a signal has come.
+bool stop_requested();
+
+/// 130 or 143 if stop_requested(), else `otherwise`.
+ExitCode interrupted_or(ExitCode otherwise);
+
+}  // namespace hybridrt::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/base/timing.h"
+
+#include <cstdint>
+#include <string>
+
+namespace hybridrt::cli {
+
+/// Tells on standard error how far a sequence is: a bar that redraws itself on a terminal, else a line now
+/// and then.
+class Progress {
+ public:
+  Progress(int64_t frames, bool quiet);
+  ~Progress();
+  void frame_done();
+  /// A line that leaves the bar whole.
+  void say(const std::string& line);
+
+ private:
+  std::string text() const;
+  const int64_t frames_;
+  const bool quiet_, terminal_;
+  int64_t done_ = 0;
+  Stopwatch running_, since_shown_;
+  bool shown_ = false;
+};
+
+}  // namespace hybridrt::cli

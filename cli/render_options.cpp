@@ -1,0 +1,220 @@
+#include "cli/render_options.h"
+
+#include "core/base/error.h"
+#include "core/scene/scene_source.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <map>
+
+namespace hybridrt::cli {
+namespace {
+
+constexpr int kLargestSide_px = 65536;
+
+const std::map<std::string, Method> kMethods = {{"hybrid", Method::hybrid},
+                                                {"raster", Method::raster},
+                                                {"raytrace", Method::raytrace},
+                                                {"reference", Method::reference}};
+const std::map<std::string, ShadowMode> kShadows = {
+    {"none", ShadowMode::none}, {"map", ShadowMode::map}, {"blur", ShadowMode::blur}, {"rays", ShadowMode::rays}};
+const std::map<std::string, Accel> kAccels = {{"kdtree", Accel::kdtree}, {"embree", Accel::embree}};
+const std::map<std::string, gl::Binding> kBindings = {
+    {"auto", gl::Binding::any}, {"egl", gl::Binding::egl}, {"osmesa", gl::Binding::osmesa}};
+const std::map<std::string, uint32_t> kAovs = {{"id", kAovId},         {"shadow", kAovShadow}, {"marked", kAovMarked},
+                                               {"traced", kAovTraced}, {"depth", kAovDepth},   {"normal", kAovNormal}};
+
+template <typename Value>
+std::string names(const std::map<std::string, Value>& table) {
+  std::string list;
+  for (const auto& [name, value] : table) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// Reads the value by name; CLI11's own messages would show C++ type names.
+template <typename Value>
+std::function<void(const std::string&)> by_name(const char* option, const std::map<std::string, Value>& table,
+                                                Value& out) {
+  return [option, &table, &out](const std::string& text) {
+    const auto found = table.find(text);
+    if (found == table.end())
+      throw error(ErrorKind::usage, "{} {}: not known; one of {}", option, text, names(table));
+    out = found->second;
+  };
+}
+
+template <typename Number>
+bool parse_number(std::string_view text, Number& out) {
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return problem == std::errc{} && end == text.data() + text.size();
+}
+
+dvec3 parse_vector(const char* option, const std::string& text) {
+  dvec3 v(0);
+  const size_t first = text.find(','), second = text.find(',', first + 1);
+  const std::string_view whole = text;
+  if (first == std::string::npos || second == std::string::npos || !parse_number(whole.substr(0, first), v.x) ||
+      !parse_number(whole.substr(first + 1, second - first - 1), v.y) ||
+      !parse_number(whole.substr(second + 1), v.z) || !all_finite(v))
+    throw error(ErrorKind::usage, "{} {}: write three numbers, like 1,2.5,-3", option, text);
+  return v;
+}
+
+void parse_size(const std::string& text, RenderSettings& settings) {
+  const size_t cross = text.find('x');
+  int width = 0, height = 0;
+  if (cross == std::string::npos || !parse_number(std::string_view(text).substr(0, cross), width) ||
+      !parse_number(std::string_view(text).substr(cross + 1), height) || width < 1 || height < 1 ||
+      width > kLargestSide_px || height > kLargestSide_px)
+    throw error(ErrorKind::usage, "--size {}: write WIDTHxHEIGHT, each 1 to {}, like 1024x768", text, kLargestSide_px);
+  settings.width_px = width;
+  settings.height_px = height;
+}
+
+uint32_t parse_aovs(const std::string& text) {
+  uint32_t bits = 0;
+  for (size_t begin = 0; !text.empty() && begin <= text.size();) {
+    const size_t end = std::min(text.find(',', begin), text.size());
+    const std::string name = text.substr(begin, end - begin);
+    const auto found = kAovs.find(name);
+    if (found == kAovs.end()) throw error(ErrorKind::usage, "--aov {}: not known; any of {}", name, names(kAovs));
+    bits |= found->second;
+    begin = end + 1;
+  }
+  return bits;
+}
+
+void require_range(const char* option, long long value, long long lowest, long long highest) {
+  if (value < lowest || value > highest)
+    throw error(ErrorKind::usage, "{} {}: allowed are {} to {}", option, value, lowest, highest);
+}
+
+RenderSettings make_settings(const RenderOptions& o) {
+  RenderSettings s;
+  parse_size(o.size, s);
+  s.method = o.method;
+  s.shadows = default_shadows(o.method);
+  if (!o.shadows.empty()) by_name("--shadows", kShadows, s.shadows)(o.shadows);
+  require_method_takes(s.method, s.shadows);
+  require_range("--blur-kernel", o.blur_kernel, 1, 31);
+  if (o.blur_kernel % 2 == 0)
+    throw error(ErrorKind::usage, "--blur-kernel {}: it must be odd, 1 to 31", o.blur_kernel);
+  require_range("--shadow-map", o.shadow_map, 1, kLargestSide_px);
+  require_range("--reflection-depth", o.reflection_depth, 0, 64);
+  require_range("--frames-in-flight", o.frames_in_flight, 1, 16);
+  s.blur_kernel_px = o.blur_kernel;
+  s.shadow_map_px = o.shadow_map;
+  s.reflection_depth = o.reflection_depth;
+  s.frames_in_flight = o.frames_in_flight;
+  s.aovs = parse_aovs(o.aovs);
+  return s;
+}
+
+CameraMotion make_motion(const RenderOptions& o, const RenderJob& job) {
+  CameraMotion motion;
+  motion.sequence = {job.frames.lowest(), job.frames.highest(), 1};
+  if (!o.sequence.empty()) {
+    motion.sequence = parse_sequence(o.sequence);
+    if (job.frames.lowest() < motion.sequence.first || job.frames.highest() > motion.sequence.last)
+      throw error(ErrorKind::usage, "--frames {} is not a part of --sequence {}", o.frames, o.sequence);
+  }
+  if (!(o.fov_deg > 0 && o.fov_deg < 180))
+    throw error(ErrorKind::usage, "--fov {}: allowed is more than 0 and less than 180 degrees", o.fov_deg);
+  const double fov_y_rad = o.fov_deg * kPi / 180;
+  const RenderSettings& s = job.settings;
+  motion.orbit = default_orbit(job.scene.bounds, job.scene.origin_world,
+                               static_cast<double>(s.width_px) / s.height_px, fov_y_rad);
+  if (o.eye.empty()) {
+    if (!o.target.empty() || !o.up.empty())
+      throw error(ErrorKind::usage, "--target and --up describe a still camera; give --eye X,Y,Z too");
+    return motion;
+  }
+  Camera still;
+  still.eye_world = parse_vector("--eye", o.eye);
+  still.target_world = o.target.empty() ? motion.orbit.target_world : parse_vector("--target", o.target);
+  if (!o.up.empty()) still.up = parse_vector("--up", o.up);
+  if (still.eye_world == still.target_world)
+    throw error(ErrorKind::usage, "--eye and --target are the same point; move one of them");
+  if (still.up == dvec3(0)) throw error(ErrorKind::usage, "--up {}: it must not be zero", o.up);
+  still.fov_y_rad = fov_y_rad;
+  motion.still = still;
+  return motion;
+}
+
+DirectionalLight make_light(const RenderOptions& o, const RenderJob& job) {
+  DirectionalLight light;
+  if (!o.light.empty()) {
+    light.toward = parse_vector("--light", o.light);
+    if (light.toward == dvec3(0)) throw error(ErrorKind::usage, "--light {}: it must not be zero", o.light);
+    light.toward = glm::normalize(light.toward);
+  } else {
+    light.toward = default_light_toward(camera_at(job.motion, job.motion.sequence.first));
+  }
+  return light;
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& app, RenderOptions& o) {
+  app.add_option("scene", o.scene, "OBJ file, or scene:spheres[,triangles=N,reflective=P]")->required()->type_name("SCENE");
+
+  const char* camera = "Camera and light";
+  app.add_option("--eye", o.eye, "Still camera: where it stands (default: an orbit)")->type_name("X,Y,Z")->group(camera);
+  app.add_option("--target", o.target, "Still camera: what it looks at (default: the scene's middle)")
+      ->type_name("X,Y,Z")->group(camera);
+  app.add_option("--up", o.up, "Still camera: which way is up (default 0,1,0)")->type_name("X,Y,Z")->group(camera);
+  app.add_option("--fov", o.fov_deg, "Vertical field of view (default 45)")->type_name("DEG")->group(camera);
+  app.add_option("--light", o.light, "Direction toward the light, any length (default: from above, left of and "
+                 "behind the first camera)")->type_name("X,Y,Z")->group(camera);
+
+  const char* picture = "Picture";
+  app.add_option("--frames", o.frames, "100 (frames 1-100), 1-100, 1-100:5, 1-10,20,30-40 (default 1)")
+      ->type_name("SPEC")->group(picture);
+  app.add_option("--sequence", o.sequence, "The whole that the frames belong to (default: first to last frame)")
+      ->type_name("A-B")->group(picture);
+  app.add_option("--size", o.size, "Pixels (default 1024x768)")->type_name("WxH")->group(picture);
+  app.add_option("--aov", o.aovs, "Also write: id,shadow,marked,traced,depth,normal")->type_name("LIST")->group(picture);
+
+  const char* method = "Method";
+  app.add_option_function("--method", by_name("--method", kMethods, o.method),
+                          "hybrid (default), raster, raytrace, reference")->type_name("M")->group(method);
+  app.add_option("--shadows", o.shadows, "none, map, blur, rays (default: blur, or what the method takes)")
+      ->type_name("S")->group(method);
+  app.add_option("--blur-kernel", o.blur_kernel, "Odd, 1-31 pixels (default 5)")->type_name("K")->group(method);
+  app.add_option("--shadow-map", o.shadow_map, "Texels along each side (default 2048)")->type_name("N")->group(method);
+  app.add_option("--reflection-depth", o.reflection_depth, "Generations of rays after the first, 0-64 (default 4)")
+      ->type_name("D")->group(method);
+  app.add_option_function("--accel", by_name("--accel", kAccels, o.accel), "embree (default), kdtree")
+      ->type_name("A")->group(method);
+
+  const char* machine = "Machine";
+  app.add_option("--threads", o.threads, "Processors to use (default: all that are allowed)")->type_name("N")->group(machine);
+  app.add_option("--frames-in-flight", o.frames_in_flight, "1: pass after pass; 2 (default): GPU and CPU work on "
+                 "neighbouring frames")->type_name("N")->group(machine);
+  app.add_option_function("--gl", by_name("--gl", kBindings, o.gl), "auto (default), egl, osmesa")
+      ->type_name("BINDING")->group(machine);
+  app.add_option("--device", o.device, "GL device, as 'hybridrt doctor' lists them")->type_name("ID")->group(machine);
+  app.add_flag("--require-hardware", o.require_hardware, "Refuse software renderers")->group(machine);
+  app.add_option("--shaders", o.shaders, "Folder to read the shaders from instead of the built-in ones")
+      ->type_name("DIR")->group(machine);
+}
+
+RenderJob make_render_job(const RenderOptions& o, Warnings& warnings) {
+  RenderJob job;
+  job.settings = make_settings(o);
+  job.frames = parse_frame_spec(o.frames);
+  if (o.threads != 0) require_range("--threads", o.threads, 1, 1024);
+  job.threads = o.threads ? o.threads : allowed_processors();
+  job.accel = o.accel;
+  job.gl = {o.gl, o.device, o.require_hardware, 0};
+  job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
+
+  ThreadPool pool(job.threads);
+  job.scene = load_scene(o.scene, pool, warnings);
+  job.motion = make_motion(o, job);
+  job.light = make_light(o, job);
+  return job;
+}
+
+}  // namespace hybridrt::cli

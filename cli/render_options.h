@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/base/parallel.h"
+#include "core/base/warnings.h"
+#include "core/render/render_job.h"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace hybridrt::cli {
+
+/// What can be said about a render on the command line, as text or number, with the defaults.
+struct RenderOptions {
+  std::string scene;
+  std::string frames = "1", sequence;
+  std::string eye, target, up, light;  ///< X,Y,Z
+  double fov_deg = 45;
+  std::string size = "1024x768";
+  Method method = Method::hybrid;
+  std::string shadows;  ///< empty: the method's default
+  int blur_kernel = 5, shadow_map = 2048, reflection_depth = 4;
+  int threads = 0;  ///< 0: all allowed processors
+  Accel accel = Accel::embree;
+  int frames_in_flight = 2;
+  gl::Binding gl = gl::Binding::any;
+  std::string device, shaders;
+  bool require_hardware = false;
+  std::string aovs;
+};
+
+/// Adds the options that decide pictures and how they are made (not where they go).
+void add_render_options(CLI::App& app, RenderOptions& options);
+
+/// Reads the scene and turns the options into a job. Throws Error(usage) for values that cannot be,
+/// Error(input) for the scene.
+RenderJob make_render_job(const RenderOptions& options, Warnings& warnings);
+
+}  // namespace hybridrt::cli

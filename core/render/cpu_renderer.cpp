@@ -1,0 +1,42 @@
+#include "core/render/cpu_renderer.h"
+
+#include "core/render/aov.h"
+#include "core/trace/trace_pass.h"
+
+namespace hybridrt {
+
+template <typename Real>
+void render_on_cpu(const Scene& scene, const RenderSettings& settings, const RayCaster<Real>& caster, ThreadPool& pool,
+                   const NextFrame& next, const DeliverFrame& deliver) {
+  const SceneFacts facts = make_scene_facts(scene);
+  const size_t pixels = static_cast<size_t>(settings.width_px) * settings.height_px;
+  std::vector<vec4> picture(pixels);
+  std::vector<uint32_t> ids(pixels);
+  std::vector<uint8_t> lit(pixels);
+
+  Stopwatch since_last_frame;
+  while (const std::optional<FrameRequest> request = next()) {
+    const FramePlan plan = make_frame_plan(scene, facts, *request, settings);
+    const TraceJob job{scene, plan.view, plan.light, settings.shadows != ShadowMode::none, settings.reflection_depth};
+    const Stopwatch tracing;
+    Frame frame;
+    frame.number = plan.number;
+    frame.stats = trace_frame(job, caster, pool, TracedFrame<Real>{picture, ids, lit});
+    frame.timings[PassId::trace] = tracing.elapsed_ms();
+
+    const Stopwatch unpacking;
+    frame.picture = picture_from_rgba(picture.data(), settings.width_px, settings.height_px, frame.stats.pixels_hit);
+    frame.timings[PassId::download] = unpacking.elapsed_ms();
+    frame.aovs = make_aovs(scene, plan.view, {ids, {}, lit, {}}, settings.aovs);
+    frame.timings.wall_ms = since_last_frame.elapsed_ms();
+    since_last_frame.restart();
+    deliver(std::move(frame));
+  }
+}
+
+template void render_on_cpu(const Scene&, const RenderSettings&, const RayCaster<float>&, ThreadPool&,
+                            const NextFrame&, const DeliverFrame&);
+template void render_on_cpu(const Scene&, const RenderSettings&, const RayCaster<double>&, ThreadPool&,
+                            const NextFrame&, const DeliverFrame&);
+
+}  // namespace hybridrt

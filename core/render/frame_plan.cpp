@@ -1,0 +1,52 @@
+#include "core/render/frame_plan.h"
+
+namespace hybridrt {
+
+SceneFacts make_scene_facts(const Scene& scene) {
+  SceneFacts facts;
+  facts.bounds = scene.bounds;
+  for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
+    const Material& material = scene.material_of(i);
+    if (!material.reflective() && !material.transmissive()) continue;
+    for (int corner = 0; corner < 3; ++corner) facts.scattering_bounds.grow(scene.vertex(i, corner));
+  }
+  return facts;
+}
+
+bool may_be_seen(const View& view, const Aabb& box) {
+  if (box.empty()) return false;
+  // Inward normals of the four side planes through the eye, and the plane of the eye itself.
+  const dvec3 planes[] = {view.forward, view.tan_half_width * view.forward + view.right,
+                          view.tan_half_width * view.forward - view.right,
+                          view.tan_half_height * view.forward + view.up,
+                          view.tan_half_height * view.forward - view.up};
+  for (const dvec3& plane : planes) {
+    const dvec3 farthest(plane.x > 0 ? box.hi.x : box.lo.x, plane.y > 0 ? box.hi.y : box.lo.y,
+                         plane.z > 0 ? box.hi.z : box.lo.z);
+    if (glm::dot(plane, farthest - view.eye) < 0) return false;
+  }
+  return true;
+}
+
+FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const FrameRequest& request,
+                          const RenderSettings& settings) {
+  FramePlan plan;
+  plan.number = request.number;
+  plan.view = make_view(request.camera, scene.origin_world, settings.width_px, settings.height_px);
+  plan.light = request.light;
+  const double size = glm::length(dvec3(facts.bounds.extent()));
+  plan.near_distance = 1e-5 * std::max(size, 1e-30);
+
+  const bool hybrid = settings.method == Method::hybrid;
+  plan.shadow_map = settings.shadows == ShadowMode::map || settings.shadows == ShadowMode::blur;
+  plan.mark = settings.shadows == ShadowMode::blur;
+  plan.trace_shadows = hybrid && (plan.mark || settings.shadows == ShadowMode::rays);
+  plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
+
+  const uint32_t from_ids = kAovId | kAovDepth | kAovNormal;
+  plan.read_ids = plan.trace() || (settings.aovs & from_ids);
+  plan.read_mask = plan.mark || (plan.shadow_map && (settings.aovs & (kAovShadow | kAovMarked)));
+  return plan;
+}
+
+}  // namespace hybridrt

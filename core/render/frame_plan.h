@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/render/settings.h"
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+#include "core/scene/view.h"
+
+namespace hybridrt {
+
+/// What a frame's number stands for.
+struct FrameRequest {
+  int number = 1;
+  Camera camera;
+  DirectionalLight light;
+};
+
+/// Facts about a scene that plans need; made once.
+struct SceneFacts {
+  Aabb bounds;             ///< of all triangles, scene space
+  Aabb scattering_bounds;  ///< of triangles whose material sends rays on; empty: there are none
+};
+SceneFacts make_scene_facts(const Scene& scene);
+
+/// Everything about a frame that is known before it is rendered: a plain value, no GL. What it leaves out
+/// costs nothing.
+struct FramePlan {
+  int number = 1;
+  View view;
+  double near_distance = 0;  ///< nearer surfaces are cut away by pass 2
+  DirectionalLight light;
+
+  bool shadow_map = false;       ///< pass 1 and the shadow test of pass 2
+  bool mark = false;             ///< pass 3
+  bool trace_shadows = false;    ///< pass 4 decides which pixels are lit
+  bool trace_scattered = false;  ///< pass 4 follows reflected and refracted rays
+  bool read_ids = false, read_mask = false;  ///< readback
+
+  bool trace() const { return trace_shadows || trace_scattered; }
+};
+
+/// Pure: the same arguments give the same plan.
+FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const FrameRequest& request,
+                          const RenderSettings& settings);
+
+/// False only when no part of the box can be seen.
+bool may_be_seen(const View& view, const Aabb& box);
+
+}  // namespace hybridrt

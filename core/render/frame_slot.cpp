@@ -1,0 +1,33 @@
+#include "core/render/frame_slot.h"
+
+namespace hybridrt {
+namespace {
+
+size_t pixel_count(const RenderSettings& s) { return static_cast<size_t>(s.width_px) * s.height_px; }
+
+}  // namespace
+
+FrameSlot::FrameSlot(const gl::Functions& gl, const RenderSettings& s, const gl::Texture& depth)
+    : ids(gl, GL_R32UI, s.width_px, s.height_px, "ids"),
+      mask(gl, GL_R8UI, s.width_px, s.height_px, "shadow mask"),
+      lit(gl, GL_R8UI, s.width_px, s.height_px, "lit"),
+      traced(gl, GL_RGBA32F, s.width_px, s.height_px, "traced"),
+      id_target(gl, &ids, depth, "ids"),
+      ids_readback(gl, pixel_count(s) * sizeof(uint32_t), "reading back ids"),
+      mask_readback(gl, pixel_count(s), "reading back the shadow mask"),
+      lit_pixels(pixel_count(s)),
+      traced_pixels(pixel_count(s)) {
+  for (size_t i = 0; i < static_cast<size_t>(PassId::count); ++i) timers.emplace_back(gl);
+}
+
+std::span<const uint32_t> FrameSlot::read_ids() const {
+  if (!plan.read_ids) return {};
+  return {static_cast<const uint32_t*>(ids_readback.data()), lit_pixels.size()};
+}
+
+std::span<const uint8_t> FrameSlot::read_mask() const {
+  if (!plan.read_mask) return {};
+  return {static_cast<const uint8_t*>(mask_readback.data()), lit_pixels.size()};
+}
+
+}  // namespace hybridrt

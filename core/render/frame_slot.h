@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/gl/readback.h"
+#include "core/gl/timer_query.h"
+#include "core/render/frame_plan.h"
+#include "core/render/frame.h"
+
+#include <array>
+#include <cstdint>
+#include <future>
+#include <span>
+#include <vector>
+
+namespace hybridrt {
+
+/// What one frame in flight owns: the paper's doubled camera, light and framebuffer. Pass 4 writes the
+/// CPU arrays on other threads while the GL thread works on another slot.
+struct FrameSlot {
+  FrameSlot(const gl::Functions& gl, const RenderSettings& settings, const gl::Texture& depth);
+
+  FramePlan plan;
+
+  gl::Texture ids;     ///< R32UI
+  gl::Texture mask;    ///< R8UI, of pass 2 or 3
+  gl::Texture lit;     ///< R8UI, of pass 4
+  gl::Texture traced;  ///< RGBA32F, of pass 4
+  gl::Framebuffer id_target;
+  gl::Readback ids_readback, mask_readback;
+  std::vector<gl::TimerQuery> timers;  ///< by PassId
+
+  std::vector<uint8_t> lit_pixels;
+  std::vector<vec4> traced_pixels;
+  TraceStats stats;
+  double trace_ms = 0;
+  std::shared_future<void> traced_done;  ///< pass 4, when it runs beside the GL thread
+
+  gl::TimerQuery& timer(PassId pass) { return timers[static_cast<size_t>(pass)]; }
+  std::span<const uint32_t> read_ids() const;
+  std::span<const uint8_t> read_mask() const;  ///< empty when the plan reads none
+};
+
+}  // namespace hybridrt

@@ -1,0 +1,114 @@
+#include "core/render/frame_spec.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace hybridrt {
+namespace {
+
+constexpr const char* kAllowed = "allowed are 100 (frames 1-100), 1-100, 1-100:5, or a list like 1-10,20,30-40";
+
+int64_t count_of(const FrameRange& range) { return (int64_t{range.last} - range.first) / range.step + 1; }
+
+int last_frame(const FrameRange& range) {
+  return static_cast<int>(range.first + (count_of(range) - 1) * range.step);
+}
+
+int parse_number(std::string_view digits, const std::string& whole) {
+  int value = 0;
+  const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (problem != std::errc{} || end != digits.data() + digits.size() || value < 0 || digits.front() == '-')
+    throw error(ErrorKind::usage, "frames '{}': '{}' is not a frame number; {}", whole, digits, kAllowed);
+  return value;
+}
+
+FrameRange parse_range(std::string_view item, const std::string& whole) {
+  FrameRange range;
+  std::string_view bounds = item;
+  if (const size_t colon = item.find(':'); colon != std::string_view::npos) {
+    range.step = parse_number(item.substr(colon + 1), whole);
+    bounds = item.substr(0, colon);
+    if (range.step < 1) throw error(ErrorKind::usage, "frames '{}': the step must be at least 1", whole);
+  }
+  const size_t dash = bounds.find('-', 1);
+  range.first = parse_number(bounds.substr(0, dash), whole);
+  range.last = dash == std::string_view::npos ? range.first : parse_number(bounds.substr(dash + 1), whole);
+  if (range.last < range.first)
+    throw error(ErrorKind::usage, "frames '{}': {} comes before {}; write the lower frame first", whole, range.last,
+                range.first);
+  return range;
+}
+
+/// True when both hold one frame.
+bool overlap(const FrameRange& a, const FrameRange& b) {
+  if (last_frame(a) < b.first || last_frame(b) < a.first) return false;
+  const FrameRange& fewer = count_of(a) < count_of(b) ? a : b;
+  const FrameRange& other = count_of(a) < count_of(b) ? b : a;
+  // Whether a frame is in both repeats after other.step steps.
+  const int64_t tries = std::min<int64_t>(count_of(fewer), int64_t{2} * other.step + (int64_t{1} << 20));
+  for (int64_t i = 0; i < tries; ++i) {
+    const int64_t frame = fewer.first + i * fewer.step;
+    if (frame >= other.first && frame <= other.last && (frame - other.first) % other.step == 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int64_t FrameSpec::count() const {
+  int64_t count = 0;
+  for (const FrameRange& range : ranges) count += count_of(range);
+  return count;
+}
+
+int FrameSpec::lowest() const {
+  return std::min_element(ranges.begin(), ranges.end(), [](auto& a, auto& b) { return a.first < b.first; })->first;
+}
+
+int FrameSpec::highest() const {
+  int highest = 0;
+  for (const FrameRange& range : ranges) highest = std::max(highest, last_frame(range));
+  return highest;
+}
+
+FrameSpec parse_frame_spec(const std::string& text) {
+  FrameSpec spec;
+  spec.ranges.clear();
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t end = std::min(text.find(',', begin), text.size());
+    if (end == begin) throw error(ErrorKind::usage, "frames '{}': an empty entry; {}", text, kAllowed);
+    spec.ranges.push_back(parse_range(std::string_view(text).substr(begin, end - begin), text));
+    begin = end + 1;
+  }
+  if (text.find_first_of("-,:") == std::string::npos) {  // a lone N is a count
+    if (spec.ranges[0].last < 1) throw error(ErrorKind::usage, "frames '{}': at least 1 is needed", text);
+    spec.ranges[0].first = 1;
+  }
+  for (size_t i = 0; i < spec.ranges.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      if (overlap(spec.ranges[j], spec.ranges[i]))
+        throw error(ErrorKind::usage, "frames '{}': two of the ranges overlap; name every frame once", text);
+  return spec;
+}
+
+FrameRange parse_sequence(const std::string& text) {
+  if (text.find('-', 1) == std::string::npos || text.find_first_of(",:") != std::string::npos)
+    throw error(ErrorKind::usage, "--sequence '{}': write the first and the last frame, like 1-100", text);
+  return parse_range(text, text);
+}
+
+std::optional<int> FrameCursor::next() {
+  if (range_ == spec_.ranges.size()) return std::nullopt;
+  const FrameRange& range = spec_.ranges[range_];
+  const int frame = static_cast<int>(range.first + offset_ * range.step);
+  if (++offset_ == count_of(range)) {
+    ++range_;
+    offset_ = 0;
+  }
+  return frame;
+}
+
+}  // namespace hybridrt

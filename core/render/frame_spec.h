@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hybridrt {
+
+/// first, first + step, … up to last (inclusive).
+struct FrameRange {
+  int first = 1, last = 1, step = 1;
+};
+
+/// Frames asked for: ranges that do not overlap, in the order given.
+struct FrameSpec {
+  std::vector<FrameRange> ranges{{1, 1, 1}};
+
+  int64_t count() const;
+  int lowest() const;
+  int highest() const;
+};
+
+/// `100` = 1-100; `1-100`, `1-100:5`, `1-10,20,30-40` (inside a list a lone N is that frame; `5-5` is one
+/// frame). Throws Error(usage) naming what is wrong and what is allowed.
+FrameSpec parse_frame_spec(const std::string& text);
+
+/// `A-B` with A <= B.
+FrameRange parse_sequence(const std::string& text);
+
+/// Walks a spec without ever holding it all.
+class FrameCursor {
+ public:
+  explicit FrameCursor(FrameSpec spec) : spec_(std::move(spec)) {}
+  std::optional<int> next();
+
+ private:
+  FrameSpec spec_;
+  size_t range_ = 0;
+  int64_t offset_ = 0;
+};
+
+}  // namespace hybridrt

@@ -1,0 +1,194 @@
+#include "core/render/gl_renderer.h"
+
+#include "core/base/check.h"
+#include "core/render/aov.h"
+#include "core/trace/trace_pass.h"
+#include "shaders/shared.h"
+
+namespace hybridrt {
+namespace {
+
+const gl::Context& require_size(const gl::Context& context, const RenderSettings& settings) {
+  const int limit = context.info().max_texture_px;
+  gl::require_limit("a picture width", settings.width_px, "GL_MAX_TEXTURE_SIZE", limit);
+  gl::require_limit("a picture height", settings.height_px, "GL_MAX_TEXTURE_SIZE", limit);
+  gl::require_limit("a shadow map", settings.shadow_map_px, "GL_MAX_TEXTURE_SIZE", limit);
+  return context;
+}
+
+bool uses_shadow_map(const RenderSettings& s) {
+  return s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur;
+}
+
+}  // namespace
+
+bool may_trace(const SceneFacts& facts, const RenderSettings& s) {
+  if (s.method != Method::hybrid) return s.method != Method::raster;
+  return s.shadows == ShadowMode::blur || s.shadows == ShadowMode::rays ||
+         (s.reflection_depth > 0 && !facts.scattering_bounds.empty());
+}
+
+GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene,
+                       const RenderSettings& s, const RayCaster<float>* caster, ThreadPool& pool)
+    : gl_(require_size(context, s).functions()),
+      scene_(scene),
+      settings_(s),
+      caster_(caster),
+      pool_(pool),
+      facts_(make_scene_facts(scene)),
+      scene_gpu_(context, scene),
+      shadow_map_pass_(gl_, shaders),
+      id_pass_(gl_, shaders),
+      shadow_test_pass_(gl_, shaders),
+      mark_pass_(gl_, shaders),
+      shade_pass_(gl_, shaders),
+      depth_(gl_, GL_DEPTH_COMPONENT32F, s.width_px, s.height_px, "depth"),
+      picture_(gl_, GL_RGBA32F, s.width_px, s.height_px, "picture"),
+      picture_readback_(gl_, sizeof(vec4) * static_cast<size_t>(s.width_px) * s.height_px, "downloading the picture") {
+  HRT_CHECK(caster || !may_trace(facts_, s));
+  if (uses_shadow_map(s)) {
+    shadow_map_ = {gl_, GL_DEPTH_COMPONENT32F, s.shadow_map_px, s.shadow_map_px, "shadow map"};
+    shadow_map_target_ = {gl_, nullptr, shadow_map_, "shadow map"};
+  }
+  if (s.shadows == ShadowMode::blur) {
+    unmarked_mask_ = {gl_, GL_R8UI, s.width_px, s.height_px, "unmarked shadow mask"};
+    row_sums_ = {gl_, GL_RG8UI, s.width_px, s.height_px, "blurred rows"};
+  }
+  for (int i = 0; i < s.frames_in_flight; ++i) slots_.emplace_back(gl_, s, depth_);
+}
+
+GlRenderer::~GlRenderer() {
+  for (FrameSlot& slot : slots_)
+    if (slot.traced_done.valid()) slot.traced_done.wait();
+}
+
+void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
+  const bool interleave = slots_.size() > 1;
+  std::deque<FrameSlot*> in_flight;  // oldest first
+  std::shared_future<void> previous_trace;
+  Stopwatch since_last_frame;
+
+  const auto finish_oldest = [&] {
+    Frame frame = shade(*in_flight.front());
+    in_flight.pop_front();
+    frame.timings.wall_ms = since_last_frame.elapsed_ms();
+    since_last_frame.restart();
+    deliver(std::move(frame));
+  };
+
+  size_t turn = 0;
+  while (const std::optional<FrameRequest> request = next()) {
+    if (in_flight.size() == slots_.size()) finish_oldest();
+    FrameSlot& slot = slots_[turn++ % slots_.size()];
+    slot.plan = make_frame_plan(scene_, facts_, *request, settings_);
+    rasterize(slot);
+    if (!interleave) {
+      trace(slot);
+    } else if (slot.plan.trace()) {
+      // Traces follow one another, in the order of the frames.
+      slot.traced_done = previous_trace =
+          std::async(std::launch::async, [this, &slot, previous_trace] {
+            if (previous_trace.valid()) previous_trace.wait();
+            trace(slot);
+          }).share();
+    }
+    in_flight.push_back(&slot);
+  }
+  while (!in_flight.empty()) finish_oldest();
+}
+
+void GlRenderer::update_shadow_map(FrameSlot& slot) {
+  if (light_frame_ && light_frame_->toward == slot.plan.light.toward) return;
+  slot.timer(PassId::shadow_map).begin();
+  light_frame_ = fit_light_frame(scene_, slot.plan.light.toward);
+  shadow_map_pass_.run({scene_gpu_, *light_frame_, settings_.shadow_map_px}, {shadow_map_target_});
+  slot.timer(PassId::shadow_map).end();
+}
+
+void GlRenderer::rasterize(FrameSlot& slot) {
+  const FramePlan& plan = slot.plan;
+  for (gl::TimerQuery& timer : slot.timers) timer.skip();
+  if (plan.shadow_map) update_shadow_map(slot);
+
+  slot.timer(PassId::id).begin();
+  id_pass_.run({scene_gpu_, plan.view, plan.near_distance}, {slot.id_target});
+  if (plan.shadow_map)
+    shadow_test_pass_.run({scene_gpu_, plan.view, *light_frame_, slot.ids, shadow_map_, settings_.shadow_map_px},
+                          {plan.mark ? unmarked_mask_ : slot.mask});
+  slot.timer(PassId::id).end();
+
+  if (plan.mark) {
+    slot.timer(PassId::mark).begin();
+    mark_pass_.run({unmarked_mask_, plan.view.width_px, plan.view.height_px, settings_.blur_kernel_px},
+                   {row_sums_, slot.mask});
+    slot.timer(PassId::mark).end();
+  }
+
+  if (!plan.read_ids && !plan.read_mask) return;
+  slot.timer(PassId::readback).begin();
+  if (plan.read_ids) slot.ids_readback.start(slot.ids, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  if (plan.read_mask) slot.mask_readback.start(slot.mask, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+  slot.timer(PassId::readback).end();
+  if (plan.read_ids) slot.ids_readback.wait();
+  if (plan.read_mask) slot.mask_readback.wait();
+}
+
+void GlRenderer::trace(FrameSlot& slot) {
+  slot.stats = {};
+  slot.trace_ms = 0;
+  if (!slot.plan.trace()) return;
+  const Stopwatch stopwatch;
+  const TraceJob job{scene_, slot.plan.view, slot.plan.light, settings_.shadows != ShadowMode::none,
+                     settings_.reflection_depth};
+  TracePixels pixels{slot.read_ids(), slot.read_mask(), {}, {}};
+  if (slot.plan.trace_shadows) pixels.lit = slot.lit_pixels;
+  if (slot.plan.trace_scattered) pixels.traced = slot.traced_pixels;
+  slot.stats = trace_pass(job, *caster_, pool_, pixels);
+  slot.trace_ms = stopwatch.elapsed_ms();
+}
+
+Frame GlRenderer::shade(FrameSlot& slot) {
+  const FramePlan& plan = slot.plan;
+  if (slot.traced_done.valid()) std::exchange(slot.traced_done, {}).get();
+
+  const int width = plan.view.width_px, height = plan.view.height_px;
+  slot.timer(PassId::upload).begin();
+  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  if (plan.trace_shadows)
+    gl_.TextureSubImage2D(slot.lit.id(), 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                          slot.lit_pixels.data());
+  if (plan.trace_scattered)
+    gl_.TextureSubImage2D(slot.traced.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, slot.traced_pixels.data());
+  slot.timer(PassId::upload).end();
+
+  slot.timer(PassId::shade).begin();
+  const gl::Texture* mask = plan.trace_shadows ? &slot.lit : plan.shadow_map ? &slot.mask : nullptr;
+  shade_pass_.run({scene_gpu_, plan.view, slot.ids, mask, plan.trace_scattered ? &slot.traced : nullptr,
+                   plan.light.toward, plan.light.color, scene_.ambient, scene_.background},
+                  {picture_});
+  slot.timer(PassId::shade).end();
+
+  slot.timer(PassId::download).begin();
+  picture_readback_.start(picture_, GL_RGBA, GL_FLOAT);
+  slot.timer(PassId::download).end();
+  picture_readback_.wait();
+
+  Frame frame;
+  frame.number = plan.number;
+  frame.stats = slot.stats;
+  const Stopwatch unpacking;
+  frame.picture =
+      picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), width, height, frame.stats.pixels_hit);
+  const double unpacking_ms = unpacking.elapsed_ms();
+  for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
+  frame.timings[PassId::trace] = slot.trace_ms;
+  frame.timings[PassId::download] += unpacking_ms;
+
+  AovSource source{slot.read_ids(), slot.read_mask(), {}, {}};
+  if (plan.trace_shadows) source.lit = slot.lit_pixels;
+  if (plan.trace_scattered) source.traced = slot.traced_pixels;
+  frame.aovs = make_aovs(scene_, plan.view, source, settings_.aovs);
+  return frame;
+}
+
+}  // namespace hybridrt

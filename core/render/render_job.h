@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/gl/context.h"
+#include "core/gl/program.h"
+#include "core/render/frame.h"
+#include "core/render/frame_spec.h"
+
+#include <functional>
+#include <string>
+
+namespace hybridrt {
+
+/// Where the camera is at each frame.
+struct CameraMotion {
+  std::optional<Camera> still;  ///< else the orbit, once around over `sequence`
+  Orbit orbit;
+  FrameRange sequence;          ///< the whole that a frame's number is relative to
+};
+Camera camera_at(const CameraMotion& motion, int frame);
+
+/// All that decides a run, once everything asked for has been read.
+struct RenderJob {
+  Scene scene;
+  RenderSettings settings;
+  FrameSpec frames;
+  CameraMotion motion;
+  DirectionalLight light;
+  Accel accel = Accel::embree;
+  int threads = 1;
+  gl::ContextRequest gl;      ///< its `threads` is set from `threads`
+  gl::ShaderSources shaders;  ///< for the methods that use GL
+};
+
+/// What a run turned out to be.
+struct RunFacts {
+  std::optional<gl::ContextInfo> gl;  ///< nothing for the methods without GL
+  std::string accel;                  ///< empty when no ray could be needed
+  double accel_build_ms = 0;
+  double ready_ms = 0;  ///< everything before the first frame
+};
+
+/// Opens the context, builds what the job needs, renders its frames in order. `starting` is called once,
+/// before the first frame; `stop` is asked before each frame. Throws what its parts throw.
+RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& starting,
+             const std::function<bool()>& stop, const DeliverFrame& deliver);
+
+}  // namespace hybridrt

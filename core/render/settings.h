@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace hybridrt {
+
+enum class Method { hybrid, raster, raytrace, reference };
+enum class ShadowMode { none, map, blur, rays };
+enum class Accel { kdtree, embree };
+
+std::string_view name_of(Method method);
+std::string_view name_of(ShadowMode shadows);
+std::string_view name_of(Accel accel);
+
+/// Which pictures besides the final one a frame keeps (the paper's figure 3); bits.
+enum Aov : uint32_t {
+  kAovId = 1,       ///< triangle numbers hashed to colours
+  kAovShadow = 2,   ///< white where the light arrives
+  kAovMarked = 4,   ///< white where pass 3 asked for a shadow ray
+  kAovTraced = 8,   ///< light of reflected and refracted rays
+  kAovDepth = 16,   ///< distance along the view, as a share of the farthest
+  kAovNormal = 32,  ///< shading normal, (n + 1) / 2
+};
+
+/// How frames are rendered; what is in them is Scene's and Camera's part.
+struct RenderSettings {
+  int width_px = 1024, height_px = 768;
+  Method method = Method::hybrid;
+  ShadowMode shadows = ShadowMode::blur;
+  int blur_kernel_px = 5;    ///< odd, 1..31
+  int shadow_map_px = 2048;
+  int reflection_depth = 4;  ///< generations after the primary one
+  int frames_in_flight = 2;
+  uint32_t aovs = 0;         ///< Aov bits
+};
+
+/// Throws Error(usage) unless the method knows the shadows (the table in the documentation).
+void require_method_takes(Method method, ShadowMode shadows);
+
+/// What a method renders when nothing is said: blur, map or rays.
+ShadowMode default_shadows(Method method);
+
+}  // namespace hybridrt
