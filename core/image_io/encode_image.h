@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/image/image_metadata.h"
+
+namespace hybridrt {
+
+/// Whether colour pictures can be written under this extension ("png", ".png") or file name ("out/a.png").
+bool can_write_format(const std::string& format_or_name);
+
+/// Throws Error usage naming the file and common formats when `name` has an extension that cannot be written.
+void require_writable_format(const std::filesystem::path& name);
+
+/// The whole file in memory, not a byte on disk. `format_or_name` as in `can_write_format`.
+///
+/// EXR (32-bit float, ZIP) and HDR hold the linear values. All other formats hold 8 bits: clamped to 0-1,
+/// through the sRGB curve (alpha straight), rounded to the nearest. Grey becomes colour and alpha is left out
+/// where the format asks for it. `metadata` goes in as the image description, a "name=value" line each, where
+/// the format has one; nothing else does, so equal arguments give equal bytes.
+///
+/// Thread-safe, on the calling thread only. Throws Error output when a value is NaN or infinite (naming the
+/// pixel) or the writer fails (too large for the format), Error usage for a format that cannot be written.
+std::vector<unsigned char> encode_image(const Image& linear, const std::string& format_or_name,
+                                        const ImageMetadata& metadata = {});
+
+}  // namespace hybridrt

@@ -1,0 +1,27 @@
+#include "core/image_io/oiio_setup.h"
+
+#include <OpenImageIO/imageio.h>
+#include <mutex>
+
+namespace hybridrt {
+
+void set_up_oiio() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);  // 0 would mean one for every processor of the machine
+  });
+}
+
+std::string one_line(std::string_view message) {
+  while (!message.empty() && (message.back() == '\n' || message.back() == '\r')) message.remove_suffix(1);
+  std::string line;
+  for (const char c : message)
+    if (c == '\n')
+      line += "; ";
+    else if (c != '\r')
+      line += c;
+  return line.empty() ? "no reason given" : line;
+}
+
+}  // namespace hybridrt

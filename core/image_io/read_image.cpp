@@ -1,0 +1,111 @@
+#include "core/image_io/read_image.h"
+
+#include <OpenImageIO/imageio.h>
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/image/srgb.h"
+#include "core/image_io/oiio_setup.h"
+
+namespace hybridrt {
+namespace fs = std::filesystem;
+namespace {
+
+using Input = std::unique_ptr<OIIO::ImageInput>;
+
+/// Checked here rather than by OpenImageIO, which takes a name like "x.null" for a picture and waits on
+/// pipes.
+void require_regular_file(const fs::path& path) {
+  std::error_code problem;
+  const fs::file_status status = fs::status(path, problem);
+  if (status.type() == fs::file_type::not_found)
+    throw error(ErrorKind::input, "{}: no such image file; check the path", path.string());
+  if (problem)
+    throw error(ErrorKind::input, "{}: cannot be read: {}; check the path and its permissions", path.string(),
+                problem.message());
+  if (!fs::is_regular_file(status))
+    throw error(ErrorKind::input, "{}: is {}, not an image file; name the file itself", path.string(),
+                fs::is_directory(status) ? "a folder" : "a device or pipe");
+}
+
+void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {
+  if (spec.deep || spec.depth > 1)
+    throw error(ErrorKind::input, "{}: deep and volume images are not supported; flatten it first",
+                path.string());
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+    throw error(ErrorKind::input, "{}: holds no pixels; write the image again", path.string());
+  if (spec.width > kMaxImageSidePx || spec.height > kMaxImageSidePx ||
+      static_cast<double>(spec.width) * spec.height > kMaxImagePixels || spec.nchannels > 1024)
+    throw error(ErrorKind::input,
+                "{}: {}x{} pixels with {} channels is too large; at most {} on a side and {} in all",
+                path.string(), spec.width, spec.height, spec.nchannels, kMaxImageSidePx, kMaxImagePixels);
+}
+
+Input open_image(const fs::path& path) {
+  require_regular_file(path);
+  set_up_oiio();
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);  // else PNG colours come multiplied by alpha
+  Input input = OIIO::ImageInput::open(path.string(), &as_stored);
+  if (!input || std::string_view(input->format_name()) == "null")
+    throw error(ErrorKind::input, "{}: not a readable image: {}; check that the file is whole", path.string(),
+                one_line(OIIO::geterror()));
+  input->threads(1);
+  require_size(path, input->spec());
+  return input;
+}
+
+/// A strip at a time into reserved memory: a file cut short fails before most of it is touched.
+Image read_pixels(const fs::path& path, OIIO::ImageInput& input) {
+  const OIIO::ImageSpec spec = input.spec();
+  Image image;
+  image.width_px = spec.width, image.height_px = spec.height, image.channels = spec.nchannels;
+  const size_t row_values = static_cast<size_t>(spec.width) * spec.nchannels;
+  image.data.reserve(row_values * spec.height);
+  const int strip = spec.tile_width > 0 ? spec.height : 64;
+  for (int y = 0; y < spec.height; y += strip) {
+    const int rows = std::min(strip, spec.height - y);
+    image.data.resize(image.data.size() + row_values * rows);
+    float* target = image.data.data() + row_values * y;
+    const bool read = spec.tile_width > 0 ? input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, target)
+                                          : input.read_scanlines(0, 0, spec.y + y, spec.y + y + rows, 0, 0,
+                                                                 spec.nchannels, OIIO::TypeFloat, target);
+    if (!read)
+      throw error(ErrorKind::input, "{}: broken image, row {} and on: {}; write or copy it again",
+                  path.string(), y, one_line(input.geterror()));
+  }
+  return image;
+}
+
+Image read(const fs::path& path, bool linear) try {
+  const Input input = open_image(path);
+  Image image = read_pixels(path, *input);
+  return linear && !input->spec().format.is_floating_point() ? linear_from_srgb(std::move(image)) : image;
+} catch (const std::bad_alloc&) {
+  throw error(ErrorKind::input, "{}: too large for the memory; use a smaller image", path.string());
+}
+
+}  // namespace
+
+Image read_image(const fs::path& path) { return read(path, false); }
+Image read_image_linear(const fs::path& path) { return read(path, true); }
+
+ImageMetadata read_image_metadata(const fs::path& path) {
+  const std::string description(open_image(path)->spec().get_string_attribute("ImageDescription"));
+  ImageMetadata metadata;
+  for (size_t begin = 0; begin < description.size();) {
+    const size_t end = std::min(description.find('\n', begin), description.size());
+    const std::string line = description.substr(begin, end - begin);
+    if (const size_t equals = line.find('='); equals != std::string::npos)
+      metadata.emplace_back(line.substr(0, equals), line.substr(equals + 1));
+    begin = end + 1;
+  }
+  return metadata;
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,102 @@
+#include "core/render/file_sink.h"
+
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "core/base/atomic_file.h"
+#include "core/base/check.h"
+#include "core/base/error.h"
+#include "core/base/timing.h"
+
+namespace hybridrt {
+namespace fs = std::filesystem;
+namespace {
+
+void make_folder(const fs::path& path) {
+  const fs::path folder = path.parent_path();
+  if (folder.empty()) return;
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem)
+    throw error(ErrorKind::output, "cannot make the folder {} for {}: {}; choose another output",
+                folder.string(), path.filename().string(), problem.message());
+}
+
+}  // namespace
+
+FileSink::FileSink(EncodeFunction encode, int workers, size_t max_queued)
+    : encode_(std::move(encode)), max_queued_(max_queued) {
+  HRT_CHECK(encode_ && workers >= 1 && max_queued >= 1);
+  for (int i = 0; i < workers; ++i) workers_.emplace_back([this] { work(); });
+}
+
+FileSink::~FileSink() {
+  {
+    std::lock_guard lock(mutex_);
+    stop_ = true;  // workers leave only when the queue is empty
+  }
+  job_waits_.notify_all();
+  for (std::thread& worker : workers_) worker.join();
+}
+
+void FileSink::submit(fs::path path, Image image, Done done) {
+  {
+    std::unique_lock lock(mutex_);
+    room_.wait(lock, [this] { return queue_.size() < max_queued_ || failure_; });
+    rethrow_failure();
+    queue_.push_back({std::move(path), std::move(image), std::move(done)});
+  }
+  job_waits_.notify_one();
+}
+
+void FileSink::drain() {
+  std::unique_lock lock(mutex_);
+  idle_.wait(lock, [this] { return queue_.empty() && busy_ == 0; });
+  rethrow_failure();
+}
+
+void FileSink::rethrow_failure() {
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+void FileSink::work() {
+  for (;;) {
+    Job job;
+    {
+      std::unique_lock lock(mutex_);
+      job_waits_.wait(lock, [this] { return stop_ || !queue_.empty(); });
+      if (queue_.empty()) return;
+      job = std::move(queue_.front());
+      queue_.pop_front();
+      ++busy_;
+    }
+    room_.notify_one();
+
+    std::exception_ptr failure;
+    try {
+      write(job);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    job = {};  // before the wait for the next one: an image may be large
+
+    std::lock_guard lock(mutex_);
+    if (failure && !failure_) failure_ = failure;
+    if (failure) room_.notify_all();
+    if (--busy_ == 0 && queue_.empty()) idle_.notify_all();
+  }
+}
+
+void FileSink::write(const Job& job) {
+  const Stopwatch stopwatch;
+  make_folder(job.path);
+  const std::vector<unsigned char> bytes = encode_(job.image, job.path);
+  write_file_atomically(job.path, std::as_bytes(std::span(bytes)));
+  if (!job.done) return;
+  const double write_ms = stopwatch.elapsed_ms();
+  std::lock_guard lock(one_done_at_a_time_);
+  job.done(write_ms);
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace hybridrt {
+
+/// Where a frame's picture goes. `####` (any number of '#', file name only: folders may be called "c#") and
+/// `{frame:04}` stand for the frame number with at least that many digits, `{frame}` (folders too) for the
+/// bare number; longer numbers are never cut.
+struct OutputPattern {
+  std::string folder;  ///< up to and with the last '/', or empty; may hold {frame}
+  std::string name;    ///< the file name
+};
+
+/// Several frames without a placeholder get the number appended: `name.png` becomes `name.####.png`. One
+/// frame without a placeholder keeps its name. Throws Error usage: no file name, a `{frame…}` that is none of
+/// the above.
+OutputPattern parse_output_pattern(const std::string& text, bool several_frames);
+
+/// The path of one frame, or of one of its AOVs, whose name goes before the frame number, or before the
+/// extension where the name has none: `name.####.png` -> `name.depth.0007.png`.
+std::filesystem::path output_path(const OutputPattern& pattern, int64_t frame, std::string_view aov = {});
+
+}  // namespace hybridrt
