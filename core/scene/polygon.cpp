@@ -143,22 +143,27 @@ bool clip_ears(std::span<const dvec3> corners, std::vector<uvec3>& triangles) {
   return clean;
 }
 
+/// Whether the cut a-c gives two triangles abc, acd that face the same way. One so flat that float
+/// coordinates may make it vanish does not count: a quad with a straight corner has a better cut.
+bool good_cut(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
+  constexpr double kFlat = 1e-6;  // sine of the angle at a
+  const dvec3 ab = b - a, ac = c - a, ad = d - a;
+  const dvec3 abc = glm::cross(ab, ac), acd = glm::cross(ac, ad);
+  const double length_ac = glm::length(ac);
+  return glm::dot(abc, acd) > 0 && glm::length(abc) > kFlat * glm::length(ab) * length_ac &&
+         glm::length(acd) > kFlat * length_ac * glm::length(ad);
+}
+
 void cut_quad(std::span<const dvec3> q, std::vector<uvec3>& triangles) {
-  const auto along = [&](int a, int b, int c, int d) {  // cut a-c: both halves must face the same way
-    return glm::dot(glm::cross(q[b] - q[a], q[c] - q[a]), glm::cross(q[c] - q[a], q[d] - q[a]));
-  };
-  const double first = along(0, 1, 2, 3), second = along(1, 2, 3, 0);
+  const bool good02 = good_cut(q[0], q[1], q[2], q[3]), good13 = good_cut(q[1], q[2], q[3], q[0]);
   const dvec3 d02 = q[2] - q[0], d13 = q[3] - q[1];
-  const bool shorter = glm::dot(d02, d02) <= glm::dot(d13, d13);
-  if (first > 0 && (second <= 0 || shorter)) {
+  const bool shorter02 = glm::dot(d02, d02) <= glm::dot(d13, d13);
+  if (good02 == good13 ? shorter02 : good02) {
     triangles.emplace_back(0, 1, 2);
     triangles.emplace_back(0, 2, 3);
-  } else if (second > 0 || !shorter) {
+  } else {
     triangles.emplace_back(0, 1, 3);
     triangles.emplace_back(1, 2, 3);
-  } else {
-    triangles.emplace_back(0, 1, 2);
-    triangles.emplace_back(0, 2, 3);
   }
 }
 
