@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/parallel.h"
+#include "core/base/warnings.h"
+#include "core/scene/scene.h"
+
+namespace hybridrt {
+
+/// Reads an OBJ and the MTL files it names into a validated scene without lights.
+///  - Positions keep the file's order, unused ones too. `origin_world` is 0 unless the scene lies farther
+///    from the origin than 16 times its size.
+///  - Polygons are cut into triangles; faces of fewer than three corners and triangles that repeat a
+///    vertex or have no area (as floats in scene space) are left out, with a warning.
+///  - Normals of the file are kept in its order, made unit; corners without a usable one get a smooth one
+///    (normals.h). Smoothing groups, texture coordinates, points, lines and vertex colours are ignored.
+///  - Materials are those of the MTL files in their order (mtl_io.h); "default" comes first if any
+///    triangle names no material or an unknown one, the latter with a warning.
+/// One warning a kind of fault, counted, with the first place.
+///
+/// Throws Error (input), naming file and line where there is one: unreadable file, no usable face, a number
+/// or position index that is none or out of range, a scene too large or small for single precision.
+Scene load_obj(const std::filesystem::path& path, ThreadPool& pool, Warnings& warnings);
+
+}  // namespace hybridrt

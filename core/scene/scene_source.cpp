@@ -1,0 +1,77 @@
+#include "core/scene/scene_source.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/scene/obj_io.h"
+#include "core/scene/spheres.h"
+#include "core/scene/text_scan.h"
+
+namespace hybridrt {
+namespace {
+
+constexpr std::string_view kPrefix = "scene:";
+
+/// Takes what stands before the next comma off `rest`.
+std::string_view take_part(std::string_view& rest) {
+  const size_t comma = std::min(rest.find(','), rest.size());
+  const std::string_view part = rest.substr(0, comma);
+  rest.remove_prefix(std::min(comma + 1, rest.size()));
+  return part;
+}
+
+double parse_value(const std::string& argument, std::string_view key, std::string_view value) {
+  const std::optional<double> number = parse_number(value);
+  if (!number)
+    throw error(ErrorKind::usage, "{}: {} needs a number, not {}", argument, key, in_quotes(value));
+  return *number;
+}
+
+Scene make_procedural(const std::string& argument) {
+  std::string_view rest = std::string_view(argument).substr(kPrefix.size());
+  const std::string_view name = take_part(rest);
+  if (name != "spheres")
+    throw error(ErrorKind::usage, "{}: there is no procedural scene {}; there is: spheres", argument,
+                in_quotes(name));
+  SpheresOptions options;
+  while (!rest.empty()) {
+    const std::string_view part = take_part(rest);
+    const size_t equals = part.find('=');
+    const std::string_view key = part.substr(0, equals);
+    const std::string_view value = equals == part.npos ? std::string_view() : part.substr(equals + 1);
+    if (key == "triangles") {
+      const double triangles = parse_value(argument, key, value);
+      if (triangles != std::floor(triangles) || std::abs(triangles) > 1e15)
+        throw error(ErrorKind::usage, "{}: triangles needs a whole number, not {}", argument,
+                    in_quotes(value));
+      options.triangles = static_cast<int64_t>(triangles);
+    } else if (key == "reflective") {
+      options.reflective_percent = parse_value(argument, key, value);
+    } else {
+      throw error(ErrorKind::usage, "{}: unknown key {}; allowed: triangles=N, reflective=PERCENT", argument,
+                  in_quotes(key));
+    }
+  }
+  return make_spheres(options);
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings) {
+  if (scene_argument.starts_with(kPrefix)) return make_procedural(scene_argument);
+
+  const std::filesystem::path path(scene_argument);
+  std::error_code unreachable;
+  if (!std::filesystem::exists(path, unreachable))
+    throw error(ErrorKind::input, "{} does not exist; SCENE is an .obj file or scene:spheres",
+                scene_argument);
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (extension != ".obj" && !std::filesystem::is_directory(path, unreachable))
+    throw error(ErrorKind::input, "{}: {} files are not supported yet, only .obj; convert it to OBJ",
+                scene_argument, extension.empty() ? "such" : extension);
+  return load_obj(path, pool, warnings);
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/math.h"
+
+namespace hybridrt {
+
+/// For each position the smallest index of an equal one (its own, mostly). Equal means bit by bit, except
+/// that -0 equals 0: a mesh whose exporter gave every face its own vertices becomes connected again.
+/// Expected time linear; throws CheckFailed beyond 2^31 positions.
+std::vector<uint32_t> weld_positions(std::span<const vec3> positions);
+
+}  // namespace hybridrt
