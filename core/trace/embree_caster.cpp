@@ -1,0 +1,133 @@
+#include "core/trace/embree_caster.h"
+
+#include <cmath>
+#include <embree3/rtcore.h>
+#include <limits>
+#include <new>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/check.h"
+#include "core/base/error.h"
+#include "core/trace/triangle.h"
+
+namespace hybridrt {
+namespace {
+
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+template <typename Handle>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
+
+/// The last error on `device` (null: on this thread, when there is no device) as an exception.
+void throw_on_error(RTCDevice device, const char* doing) {
+  const RTCError code = rtcGetDeviceError(device);
+  if (code == RTC_ERROR_NONE) return;
+  if (code == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  throw error(ErrorKind::device, "Embree failed while {} (error {}); use the kd-tree instead", doing,
+              static_cast<int>(code));
+}
+
+class EmbreeCaster final : public RayCaster<float> {
+ public:
+  EmbreeCaster(const Scene& scene, int threads) {
+    HRT_CHECK(threads >= 1);
+    device_.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
+    if (!device_) throw_on_error(nullptr, "starting");
+    scene_.reset(rtcNewScene(device_.get()));
+    throw_on_error(device_.get(), "creating a scene");
+    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
+    attach_triangles(scene);
+    rtcCommitScene(scene_.get());
+    throw_on_error(device_.get(), "building its tree");
+  }
+
+  void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const override {
+    HRT_CHECK_EQ(rays.size(), hits.size());
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (size_t i = 0; i < rays.size(); ++i) {
+      hits[i] = {};
+      RTCRayHit query;
+      if (!fill(rays[i], query.ray)) continue;
+      query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      rtcIntersect1(scene_.get(), &context, &query);
+      if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+        hits[i] = {query.ray.tfar, query.hit.u, query.hit.v, scene_triangle(query.hit.primID)};
+    }
+  }
+
+  void any_hits(std::span<const Ray<float>> rays, std::span<uint8_t> occluded) const override {
+    HRT_CHECK_EQ(rays.size(), occluded.size());
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    for (size_t i = 0; i < rays.size(); ++i) {
+      occluded[i] = 0;
+      RTCRay query;
+      if (!fill(rays[i], query)) continue;
+      rtcOccluded1(scene_.get(), &context, &query);
+      occluded[i] = query.tfar < 0;  // Embree's way of saying yes
+    }
+  }
+
+ private:
+  void attach_triangles(const Scene& scene) {
+    std::vector<uvec3> kept;
+    for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
+      if (is_degenerate(scene.vertex(i, 0), scene.vertex(i, 1), scene.vertex(i, 2))) continue;
+      kept.push_back(scene.triangle_positions[i]);
+      triangle_of_primitive_.push_back(i);
+    }
+    if (kept.empty()) return;
+
+    const Owned<RTCGeometry> geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_HIGH);
+    // Embree reads 16 bytes for each vertex: its own buffers are padded for that, ours are not.
+    auto* const vertices = static_cast<vec3*>(rtcSetNewGeometryBuffer(
+        geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), scene.positions.size()));
+    auto* const indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(
+        geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), kept.size()));
+    throw_on_error(device_.get(), "taking the triangles");
+    std::copy(scene.positions.begin(), scene.positions.end(), vertices);
+    std::copy(kept.begin(), kept.end(), indices);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene_.get(), geometry.get());
+    throw_on_error(device_.get(), "taking the triangles");
+    if (kept.size() == scene.triangle_count()) triangle_of_primitive_ = {};
+  }
+
+  /// False for rays that cannot hit anything. Embree's range is closed, ours is open.
+  static bool fill(const Ray<float>& ray, RTCRay& query) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    if (!is_traceable(ray.origin, ray.dir)) return false;
+    query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
+    query.dir_x = ray.dir.x, query.dir_y = ray.dir.y, query.dir_z = ray.dir.z;
+    query.tnear = std::nextafter(ray.t_min, kInfinity);
+    query.tfar = ray.t_max == kInfinity ? kInfinity : std::nextafter(ray.t_max, -kInfinity);
+    query.time = 0;
+    query.mask = 0xFFFFFFFFu;
+    query.id = query.flags = 0;
+    return query.tnear <= query.tfar;
+  }
+
+  uint32_t scene_triangle(uint32_t primitive) const {
+    return triangle_of_primitive_.empty() ? primitive : triangle_of_primitive_[primitive];
+  }
+
+  Owned<RTCDevice> device_;
+  Owned<RTCScene> scene_;
+  std::vector<uint32_t> triangle_of_primitive_;  ///< empty: the same
+};
+
+}  // namespace
+
+std::unique_ptr<RayCaster<float>> make_embree_caster(const Scene& scene, int threads) {
+  return std::make_unique<EmbreeCaster>(scene, threads);
+}
+
+}  // namespace hybridrt

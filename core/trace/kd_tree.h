@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/base/parallel.h"
+#include "core/scene/scene.h"
+
+namespace hybridrt {
+
+/// Depth of the deepest leaf (the root has 0); bounds the stack of a traversal.
+inline constexpr int kKdMaxDepth = 62;
+
+/// 8 bytes, after Wald, "Realtime Ray Tracing and Interactive Global Illumination", 2004, ch. 7. The low two
+/// bits of `tag` hold the split axis, or 3 for a leaf. Inner node: `split` is the plane's coordinate, the
+/// other bits of `tag` the index of the left child (below the plane); the right child follows it. Leaf:
+/// `first` is the start of its range in KdTree::leaf_triangles, the other bits of `tag` its length.
+struct KdNode {
+  union {
+    float split;
+    uint32_t first;
+  };
+  uint32_t tag;
+
+  static KdNode inner(int axis, float split, uint32_t left_child) {
+    KdNode node;
+    node.split = split;
+    node.tag = left_child << 2 | static_cast<uint32_t>(axis);
+    return node;
+  }
+  static KdNode leaf(uint32_t first, uint32_t count) {
+    KdNode node;
+    node.first = first;
+    node.tag = count << 2 | 3u;
+    return node;
+  }
+  bool is_leaf() const { return (tag & 3) == 3; }
+  int axis() const { return static_cast<int>(tag & 3); }
+  uint32_t left_child() const { return tag >> 2; }
+  uint32_t count() const { return tag >> 2; }
+};
+static_assert(sizeof(KdNode) == 8);
+
+/// The original corners, each padded to 16 bytes so that a vector load takes a whole one; `id` is the
+/// triangle's index in the scene.
+struct alignas(16) KdTriangle {
+  vec3 v0;
+  uint32_t id;
+  vec3 v1;
+  uint32_t unused1;
+  vec3 v2;
+  uint32_t unused2;
+};
+static_assert(sizeof(KdTriangle) == 48);
+
+/// A kd-tree over the triangles of one scene; only data, see build_kd_tree and make_kd_caster. Independent
+/// of the scene it was built from (it holds copies of the corners). Never more than 120 bytes a triangle.
+struct KdTree {
+  Aabb bounds;                           ///< of the triangles that can be hit; empty without any
+  std::vector<KdNode> nodes;             ///< [0] is the root, [1] unused: siblings start at even indices
+  std::vector<uint32_t> leaf_triangles;  ///< indices into `triangles`, a range a leaf
+  std::vector<KdTriangle> triangles;     ///< in the order of the leaves; degenerate ones are left out
+};
+
+/// Surface-area heuristic (SAH) with perfect splits (triangles are clipped to the cells that they reach) and
+/// a bonus for cutting off empty space: Havran, "Heuristic Ray Shooting Algorithms", 2000; Wald and Havran,
+/// "On building fast kd-trees for ray tracing, and on doing that in O(N log N)", 2006. Large nodes choose
+/// among the planes of a grid (binned), small ones among all the sides of their triangles' boxes (exact).
+/// The result is the same, to the byte, for every size of `pool`. Throws CheckFailed where an index would
+/// overflow (more than about 10^9 nodes), std::bad_alloc.
+KdTree build_kd_tree(const Scene& scene, ThreadPool& pool);
+
+/// Bytes of a finished tree, its triangle records included.
+size_t memory_bytes(const KdTree& tree);
+
+/// The numbers that tell whether a tree is a good one.
+struct KdTreeShape {
+  size_t inner_nodes = 0, leaves = 0, empty_leaves = 0, references = 0, largest_leaf = 0;
+  int depth = 0;
+};
+KdTreeShape measure_shape(const KdTree& tree);
+
+}  // namespace hybridrt

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+#include "core/base/math.h"
+
+namespace hybridrt {
+
+// Watertight ray-triangle test. Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection",
+// JCGT 2(1), 2013.
+//
+// The scene is sheared so that the ray becomes the axis of its largest direction component; what remains
+// is a 2-D point-in-triangle test by three edge functions. Two triangles that share an edge compute that
+// edge's function from the same two sheared points, hence exactly negated: no ray slips between them.
+// That holds only if a*b - c*d is never fused (the project is compiled with -ffp-contract=off).
+
+/// What a ray contributes to every triangle test.
+template <typename Real>
+struct ShearedRay {
+  Vec3<Real> origin;
+  Real sx, sy;     ///< shear of the two minor axes along the major one, in [-1, 1]
+  Real sz;         ///< 1 / direction along the major axis
+  int kx, ky, kz;  ///< minor, minor, major axis
+};
+
+/// `dir` must be finite and not zero.
+template <typename Real>
+ShearedRay<Real> shear_ray(const Vec3<Real>& origin, const Vec3<Real>& dir) {
+  const Vec3<Real> size = glm::abs(dir);
+  const int kz = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+  const int kx = kz == 2 ? 0 : kz + 1;
+  const int ky = kx == 2 ? 0 : kx + 1;
+  return {origin, dir[kx] / dir[kz], dir[ky] / dir[kz], Real(1) / dir[kz], kx, ky, kz};
+}
+
+/// In terms of Hit: `u`, `v` weigh the second and third vertex.
+template <typename Real>
+struct TriangleHit {
+  Real t, u, v;
+};
+
+/// Outside these the float edge functions have overflowed or lost their digits to underflow, and the test
+/// goes on in double.
+inline constexpr float kSmallestFloatDet = 1e-36f, kLargestFloatDet = 1e36f;
+
+/// Whether the line of the ray meets the triangle, edges and vertices included, from either side. `t` may
+/// have any sign: the caller compares it with its range (a NaN fails every comparison). The float version
+/// decides the side of each edge exactly for the sheared (rounded) points. Zero-area triangles must have
+/// been left out (is_degenerate): rounding can let a ray hit one.
+template <typename Real>
+bool intersect_triangle(const ShearedRay<Real>& ray, const vec3& v0, const vec3& v1, const vec3& v2,
+                        TriangleHit<Real>& hit) {
+  const Vec3<Real> a = Vec3<Real>(v0) - ray.origin;
+  const Vec3<Real> b = Vec3<Real>(v1) - ray.origin;
+  const Vec3<Real> c = Vec3<Real>(v2) - ray.origin;
+  const Real ax = a[ray.kx] - ray.sx * a[ray.kz], ay = a[ray.ky] - ray.sy * a[ray.kz];
+  const Real bx = b[ray.kx] - ray.sx * b[ray.kz], by = b[ray.ky] - ray.sy * b[ray.kz];
+  const Real cx = c[ray.kx] - ray.sx * c[ray.kz], cy = c[ray.ky] - ray.sy * c[ray.kz];
+
+  // Rounding is monotone: the sign of each of these is right, or the value is zero.
+  const Real wa = cx * by - cy * bx;
+  const Real wb = ax * cy - ay * cx;
+  const Real wc = bx * ay - by * ax;
+  if ((wa < 0 || wb < 0 || wc < 0) && (wa > 0 || wb > 0 || wc > 0)) return false;
+  const Real det = wa + wb + wc;
+
+  if constexpr (std::is_same_v<Real, float>) {
+    const bool on_edge = wa == 0 || wb == 0 || wc == 0;
+    const bool in_range = std::abs(det) >= kSmallestFloatDet && std::abs(det) <= kLargestFloatDet;
+    if (on_edge || !in_range) {  // in double the products are exact, and so are the signs
+      const double da = double(cx) * by - double(cy) * bx;
+      const double db = double(ax) * cy - double(ay) * cx;
+      const double dc = double(bx) * ay - double(by) * ax;
+      if ((da < 0 || db < 0 || dc < 0) && (da > 0 || db > 0 || dc > 0)) return false;
+      const double sum = da + db + dc;
+      if (sum == 0) return false;  // seen exactly edge-on
+      hit.t = float((da * a[ray.kz] + db * b[ray.kz] + dc * c[ray.kz]) / sum * ray.sz);
+      hit.u = float(db / sum);
+      hit.v = float(dc / sum);
+      return true;
+    }
+  } else {
+    if (det == 0) return false;
+  }
+  // Weights first, distances second: their product with the edge functions could overflow.
+  const Real per_det = Real(1) / det;
+  hit.u = wb * per_det;
+  hit.v = wc * per_det;
+  hit.t = (wa * per_det * a[ray.kz] + hit.u * b[ray.kz] + hit.v * c[ray.kz]) * ray.sz;
+  return true;
+}
+
+/// Exactly zero area, up to double precision: differences of floats and their products are exact in double
+/// unless the corners' exponents lie far apart.
+/// Every acceleration structure leaves these out, so that none is ever hit.
+inline bool is_degenerate(const vec3& v0, const vec3& v1, const vec3& v2) {
+  const dvec3 e1 = dvec3(v1) - dvec3(v0), e2 = dvec3(v2) - dvec3(v0);
+  return e1.y * e2.z == e1.z * e2.y && e1.z * e2.x == e1.x * e2.z && e1.x * e2.y == e1.y * e2.x;
+}
+
+/// Whether a direction and origin can be traced at all: finite, and with a direction whose largest
+/// component has a finite reciprocal. Casters answer "no hit" for the others.
+template <typename Real>
+bool is_traceable(const Vec3<Real>& origin, const Vec3<Real>& dir) {
+  const Real largest = std::max(std::max(std::abs(dir.x), std::abs(dir.y)), std::abs(dir.z));
+  // A NaN or infinity anywhere makes the sum of products non-finite.
+  const Real sum = (origin.x + origin.y + origin.z) * 0 + (dir.x + dir.y + dir.z) * 0;
+  return sum == 0 && std::isfinite(Real(1) / largest);
+}
+
+/// The nearest hit so far of one ray. Of several hits at exactly the same `t` the lowest triangle index
+/// wins, so that the answer does not depend on the order of the tests.
+template <typename Real>
+struct NearestHit {
+  Real t_min, t;  ///< accepted range: (t_min, t), and t itself for triangles below `tie_below`
+  Real u = 0, v = 0;
+  uint32_t triangle = kNoTriangle;
+  uint32_t tie_below = 0;
+
+  NearestHit(Real t_min_, Real t_max) : t_min(t_min_), t(t_max) {}
+
+  bool accepts(Real t_new, uint32_t triangle_new) const {
+    return t_new > t_min && (t_new < t || (t_new == t && triangle_new < tie_below));
+  }
+  void offer(const TriangleHit<Real>& hit, uint32_t triangle_new) {
+    if (!accepts(hit.t, triangle_new)) return;
+    t = hit.t, u = hit.u, v = hit.v;
+    triangle = tie_below = triangle_new;
+  }
+  bool found() const { return triangle != kNoTriangle; }
+  Hit<Real> result() const { return found() ? Hit<Real>{t, u, v, triangle} : Hit<Real>{}; }
+};
+
+}  // namespace hybridrt
