@@ -33,8 +33,10 @@ ExitCode run(int argc, char** argv) {
   CLI::App app{"hybridrt: headless hybrid CPU-GPU renderer of frame sequences", "hybridrt"};
   app.require_subcommand(0, 1);
   Command chosen;
+  add_render_command(app, chosen);
   add_compare_command(app, chosen);
   add_scene_command(app, chosen);
+  add_doctor_command(app, chosen);
 
   try {
     app.parse(argc, argv);

@@ -51,7 +51,7 @@ struct Egl {
     EGLDeviceEXT found[kMaxDevices];
     EGLint count = 0;
     if (!QueryDevices(kMaxDevices, found, &count)) return {};
-    return {found, found + count};
+    return std::vector<EGLDeviceEXT>(found, found + count);
   }
 
   bool is_software(EGLDeviceEXT device) const {

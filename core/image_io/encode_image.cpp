@@ -139,4 +139,6 @@ std::vector<unsigned char> encode_image(const Image& linear, const std::string& 
   return bytes;
 }
 
+std::string image_library_version() { return OIIO_VERSION_STRING; }
+
 }  // namespace hybridrt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,14 @@ void require_writable_format(const std::filesystem::path& name);
 /// pixel) or the writer fails (too large for the format), Error usage for a format that cannot be written.
 std::vector<unsigned char> encode_image(const Image& linear, const std::string& format_or_name,
                                         const ImageMetadata& metadata = {});
+
+/// The same, the format told by the path's extension: fits FileSink.
+inline std::vector<unsigned char> encode_image_file(const Image& linear, const std::filesystem::path& path,
+                                                    const ImageMetadata& metadata) {
+  return encode_image(linear, path.string(), metadata);
+}
+
+/// Of OpenImageIO.
+std::string image_library_version();
 
 }  // namespace hybridrt

@@ -40,12 +40,12 @@ FileSink::~FileSink() {
   for (std::thread& worker : workers_) worker.join();
 }
 
-void FileSink::submit(fs::path path, Image image, Done done) {
+void FileSink::submit(fs::path path, Image image, ImageMetadata metadata, Done done) {
   {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] { return queue_.size() < max_queued_ || failure_; });
     rethrow_failure();
-    queue_.push_back({std::move(path), std::move(image), std::move(done)});
+    queue_.push_back({std::move(path), std::move(image), std::move(metadata), std::move(done)});
   }
   job_waits_.notify_one();
 }
@@ -91,7 +91,7 @@ void FileSink::work() {
 void FileSink::write(const Job& job) {
   const Stopwatch stopwatch;
   make_folder(job.path);
-  const std::vector<unsigned char> bytes = encode_(job.image, job.path);
+  const std::vector<unsigned char> bytes = encode_(job.image, job.path, job.metadata);
   write_file_atomically(job.path, std::as_bytes(std::span(bytes)));
   if (!job.done) return;
   const double write_ms = stopwatch.elapsed_ms();

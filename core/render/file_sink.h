@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/image/image_metadata.h"
 
 namespace hybridrt {
 
 /// The bytes of a whole file for an image that will get this name. Called from several threads at once.
-using EncodeFunction = std::function<std::vector<unsigned char>(const Image&, const std::filesystem::path&)>;
+using EncodeFunction =
+    std::function<std::vector<unsigned char>(const Image&, const std::filesystem::path&, const ImageMetadata&)>;
 
 /// Encodes and writes pictures on worker threads, each file whole or not at all. Memory is bounded: at most
 /// `max_queued` pictures wait and one per worker is in work.
@@ -35,7 +37,7 @@ class FileSink {
   ///
   /// Throws the first failure of an earlier picture (Error output for what the disk or the encoder refuses),
   /// once; this image is then not taken. The other pictures go on being written: a sink that threw is usable.
-  void submit(std::filesystem::path path, Image image, Done done = {});
+  void submit(std::filesystem::path path, Image image, ImageMetadata metadata, Done done = {});
 
   /// Waits until all is written; throws as `submit`.
   void drain();
@@ -44,6 +46,7 @@ class FileSink {
   struct Job {
     std::filesystem::path path;
     Image image;
+    ImageMetadata metadata;
     Done done;
   };
 

@@ -49,6 +49,7 @@ void TimingsCsv::file_written(int frame, double write_ms) {
   Row& row = rows_.at(order_of_frame_.at(frame)).second;
   --row.files_left;
   row.write_ms += write_ms;
+  written_ms_ += write_ms;
   write_complete_rows();
 }
 

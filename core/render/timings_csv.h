@@ -24,6 +24,9 @@ class TimingsCsv {
   void add(const Frame& frame, int files);
   void file_written(int frame, double write_ms);
 
+  /// Sum of all write_ms so far.
+  double written_ms() const { return written_ms_; }
+
   /// Writes what is complete and renames the file. Throws Error(output).
   void finish();
 
@@ -44,6 +47,7 @@ class TimingsCsv {
   std::map<int64_t, std::pair<int, Row>> rows_;  ///< by order of delivery: frame and row
   std::map<int, int64_t> order_of_frame_;
   int64_t delivered_ = 0;
+  double written_ms_ = 0;
 };
 
 }  // namespace hybridrt

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+#include "cli/render_options.h"
+#include "core/render/render_job.h"
+
+namespace hybridrt::cli {
+
+/// Sums over the frames of a run, for its closing table and run.json.
+struct RunTotals {
+  int64_t frames = 0;
+  FrameTimings sum;
+  TraceStats stats;
+  double load_ms = 0;      ///< reading the scene
+  double rendering_ms = 0; ///< from the scene being ready to the last frame's download
+  double drain_ms = 0;     ///< writing left after that
+
+  void add(const Frame& frame);
+  double frames_per_second() const;
+};
+
+/// The closing table: time of each pass, rays fired and saved, frames a second.
+std::string summary_table(const RenderJob& job, const RunTotals& totals);
+
+/// Facts of a run for run.json: version, scene, settings, GL renderer, processor, times, memory.
+nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob& job, const RunFacts& facts,
+                                  const RunTotals& totals, const Warnings& warnings);
+
+/// The settings that decide pixels, as one line for image metadata.
+std::string settings_line(const RenderSettings& settings);
+
+/// The processor's name as the system gives it.
+std::string processor_name();
+
+}  // namespace hybridrt::cli
