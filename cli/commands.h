@@ -15,6 +15,7 @@ using Command = std::function<ExitCode()>;
 
 /// Each adds one subcommand with its options to `app`; when it is chosen, `chosen` becomes what to run.
 void add_compare_command(CLI::App& app, Command& chosen);
+void add_golden_command(CLI::App& app, Command& chosen);
 void add_doctor_command(CLI::App& app, Command& chosen);
 void add_render_command(CLI::App& app, Command& chosen);
 void add_scene_command(CLI::App& app, Command& chosen);

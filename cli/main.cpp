@@ -35,6 +35,7 @@ ExitCode run(int argc, char** argv) {
   Command chosen;
   add_render_command(app, chosen);
   add_compare_command(app, chosen);
+  add_golden_command(app, chosen);
   add_scene_command(app, chosen);
   add_doctor_command(app, chosen);
 

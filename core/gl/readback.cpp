@@ -38,7 +38,6 @@ void Readback::start(const Texture& texture, GLenum format, GLenum type) {
   gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   gl.MemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
   done_ = std::make_unique<Fence>(gl);
-  gl.Flush();
   throw_on_error(gl, label_.c_str());
 }
 

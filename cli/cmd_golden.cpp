@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "cli/render_options.h"
+#include "core/base/atomic_file.h"
+#include "core/image_io/encode_image.h"
+#include "core/image_io/read_image.h"
+#include "core/measure/golden.h"
+
+namespace hybridrt::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDifferenceAmplification = 20;
+
+struct GoldenOptions {
+  std::string list, output = "out/golden", junit;
+  std::vector<std::string> names;
+};
+
+/// ours: beside the sources while working on them, else where it was installed to.
+fs::path default_list() {
+  const fs::path here = "golden/golden.json";
+  if (fs::exists(here)) return here;
+  std::error_code problem;
+  const fs::path binary = fs::read_symlink("/proc/self/exe", problem);
+  const fs::path installed = binary.parent_path().parent_path() / "share/hybridrt/golden/golden.json";
+  return fs::exists(installed) ? installed : here;
+}
+
+/// Renders the one frame of a case.
+Image render_case(const GoldenCase& golden) {
+  RenderOptions options;
+  CLI::App parser{"options of golden case '" + golden.name + "'"};
+  add_render_options(parser, options);
+  std::vector<std::string> arguments(golden.options.rbegin(), golden.options.rend());  // CLI11 takes them backwards
+  arguments.push_back(golden.scene);
+  try {
+    parser.parse(arguments);
+  } catch (const CLI::ParseError& problem) {
+    throw error(ErrorKind::input, "golden case '{}': {}", golden.name, problem.what());
+  }
+  Warnings warnings;
+  const RenderJob job = make_render_job(options, warnings);
+  if (job.frames.count() != 1)
+    throw error(ErrorKind::input, "golden case '{}' renders {} frames; say which one, like --frames 5-5", golden.name,
+                job.frames.count());
+  Image picture;
+  run(job, [](const RunFacts&) {}, [] { return false; }, [&](Frame&& frame) { picture = std::move(frame.picture); });
+  return picture;
+}
+
+void write_picture(const fs::path& path, const Image& picture) {
+  const std::vector<unsigned char> bytes = encode_image(picture, path.string());
+  write_file_atomically(path, std::as_bytes(std::span(bytes)));
+}
+
+GoldenResult check(const GoldenList& list, const GoldenCase& golden, const fs::path& output) {
+  GoldenResult result;
+  result.golden = golden;
+  const Stopwatch stopwatch;
+  try {
+    const fs::path actual = output / (golden.name + ".png");
+    write_picture(actual, render_case(golden));
+    result.actual = actual;
+    const fs::path expected = list.expected(golden);
+    if (!fs::exists(expected))
+      throw error(ErrorKind::input, "{} is missing; 'hybridrt golden update {}' makes it", expected.string(), golden.name);
+    result.expected = expected;
+    const Image a = read_image(actual), b = read_image(expected);
+    result.compared = compare_images(a, b, golden.limits);
+    if (result.compared.measured && result.compared.max_error > 0) {
+      result.difference = output / (golden.name + ".diff.png");
+      Image difference = difference_image(a, b, kDifferenceAmplification);
+      write_picture(result.difference, difference);
+    }
+  } catch (const Error& problem) {
+    if (problem.kind() == ErrorKind::output || problem.kind() == ErrorKind::device) throw;
+    result.failure = problem.what();
+  }
+  result.seconds = stopwatch.elapsed_ms() * 1e-3;
+  return result;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem) throw error(ErrorKind::output, "cannot make the folder {}: {}", folder.string(), problem.message());
+}
+
+GoldenList chosen_cases(const GoldenOptions& options) {
+  GoldenList list = read_golden_list(options.list.empty() ? default_list() : fs::path(options.list));
+  keep_cases(list, options.names);
+  return list;
+}
+
+ExitCode check_all(const GoldenOptions& options) {
+  const GoldenList list = chosen_cases(options);
+  make_folder(options.output);
+  std::vector<GoldenResult> results;
+  size_t failed = 0;
+  for (const GoldenCase& golden : list.cases) {
+    results.push_back(check(list, golden, options.output));
+    const GoldenResult& result = results.back();
+    failed += !result.passed();
+    fmt::print("{}  {:<24} {:5.1f} s  {}\n", result.passed() ? "ok    " : "FAILED", golden.name, result.seconds,
+               result.verdict());
+    std::fflush(stdout);
+  }
+  const fs::path report = fs::path(options.output) / "report.html";
+  write_file_atomically(report, golden_html(results, options.output));
+  if (!options.junit.empty()) write_file_atomically(options.junit, golden_junit(results));
+  fmt::print("{} of {} as expected; report: {}\n", results.size() - failed, results.size(), report.string());
+  return failed ? ExitCode::images_differ : ExitCode::ok;
+}
+
+ExitCode update_all(const GoldenOptions& options) {
+  const GoldenList list = chosen_cases(options);
+  for (const GoldenCase& golden : list.cases) {
+    write_picture(list.expected(golden), render_case(golden));
+    fmt::print("wrote {}\n", list.expected(golden).string());
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_golden_command(CLI::App& app, Command& chosen) {
+  CLI::App* golden = app.add_subcommand("golden", "Render a list of cases and compare them with their expected pictures");
+  golden->require_subcommand(1);
+  auto options = std::make_shared<GoldenOptions>();
+  const auto add = [&](const char* name, const char* what, ExitCode (*action)(const GoldenOptions&)) {
+    CLI::App* command = golden->add_subcommand(name, what);
+    command->add_option("names", options->names, "Cases (default: all)")->type_name("NAME");
+    command->add_option("--list", options->list, "List of cases (default: the project's own)")->type_name("FILE");
+    command->callback([options, action, &chosen] { chosen = [options, action] { return action(*options); }; });
+    return command;
+  };
+  CLI::App* checking = add("check", "Compare; exit 6 when a picture differs", check_all);
+  checking->add_option("-o,--output", options->output, "Folder for pictures and report.html (default out/golden)")
+      ->type_name("DIR");
+  checking->add_option("--junit", options->junit, "Also write the results for a CI server")->type_name("FILE.xml");
+  add("update", "Replace the expected pictures", update_all);
+}
+
+}  // namespace hybridrt::cli

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/image/compare.h"
+
+namespace hybridrt {
+
+/// One picture that must stay as it is.
+struct GoldenCase {
+  std::string name;                  ///< expected picture: NAME.png beside the list
+  std::string scene;                 ///< path (resolved against the list) or scene:…
+  std::vector<std::string> options;  ///< of `render`
+  CompareLimits limits;
+  std::string reason;  ///< why these limits
+};
+
+struct GoldenList {
+  std::filesystem::path folder;
+  std::vector<GoldenCase> cases;
+
+  std::filesystem::path expected(const GoldenCase& golden) const { return folder / (golden.name + ".png"); }
+};
+
+/// Throws Error(input) naming the file and the case: not JSON, unknown or missing keys, a name twice.
+/// Scene paths are looked for beside the list, then in the folder above it.
+GoldenList read_golden_list(const std::filesystem::path& list);
+
+/// Keeps the named cases, in the list's order; all if `names` is empty. Throws Error(usage) for a name that
+/// is not in the list.
+void keep_cases(GoldenList& list, std::span<const std::string> names);
+
+/// What became of a case. Paths are empty where there is no such file.
+struct GoldenResult {
+  GoldenCase golden;
+  CompareResult compared;
+  std::string failure;  ///< why it could not be rendered or compared at all
+  std::filesystem::path actual, expected, difference;
+  double seconds = 0;
+
+  bool passed() const { return failure.empty() && compared.same; }
+  std::string verdict() const;  ///< one line
+};
+
+/// A page with expected, actual and difference pictures side by side. Image paths are written relative to
+/// `page_folder`.
+std::string golden_html(std::span<const GoldenResult> results, const std::filesystem::path& page_folder);
+
+/// JUnit's XML, as CI servers read it.
+std::string golden_junit(std::span<const GoldenResult> results);
+
+}  // namespace hybridrt
