@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,13 @@ namespace hybridrt {
 /// Once before any use of OpenImageIO: its own thread pools stay off, parallelism is the caller's.
 /// Thread-safe.
 void set_up_oiio();
+
+/// The formats that we let OpenImageIO read and write, by its names. Left out on purpose: what is no picture
+/// file (null, term, zfile, ffmpeg, openvdb, raw, dicom), ico (its reader writes past its buffer when the
+/// width is no multiple of 8), sgi (uninitialised bytes in the header), rla (time, user and host in the
+/// header), heif (starts threads of its own).
+std::span<const char* const> picture_formats();
+bool is_picture_format(std::string_view name);
 
 /// OpenImageIO's pending messages as one line.
 std::string one_line(std::string_view message);
