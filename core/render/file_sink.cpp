@@ -82,8 +82,8 @@ void FileSink::work() {
     job = {};  // before the wait for the next one: an image may be large
 
     std::lock_guard lock(mutex_);
-    if (failure && !failure_) failure_ = failure;
-    if (failure) room_.notify_all();
+    if (failure && !failure_) failure_ = std::move(failure);  // leaves no owner here to outlive the catcher
+    if (failure_) room_.notify_all();
     if (--busy_ == 0 && queue_.empty()) idle_.notify_all();
   }
 }
