@@ -96,7 +96,6 @@ OIIO::ImageSpec make_spec(const Image& image, std::string_view format, bool is_f
   if (format == "tiff") spec.attribute("compression", "lzw");
   if (format == "openexr") spec.attribute("compression", "zip");
   if (format == "jpeg") spec.attribute("CompressionQuality", 95);
-  if (format == "dpx") spec.attribute("Software", "hybridrt");  // else OpenImageIO's name and version
   return spec;
 }
 

@@ -16,9 +16,8 @@ void set_up_oiio() {
 }
 
 std::span<const char* const> picture_formats() {
-  static constexpr const char* kFormats[] = {"png",      "jpeg", "openexr", "tiff", "bmp", "targa",
-                                             "hdr",      "webp", "pnm",     "gif",  "psd", "dds",
-                                             "jpeg2000", "dpx",  "iff",     "fits"};
+  static constexpr const char* kFormats[] = {"png", "jpeg", "openexr", "tiff", "bmp",      "targa",
+                                             "hdr", "webp", "pnm",     "gif",  "jpeg2000", "fits"};
   return kFormats;
 }
 
