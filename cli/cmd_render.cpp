@@ -175,8 +175,8 @@ ExitCode render(const RenderOptions& options, const OutputOptions& output) {
         if (!output.contact_sheet.empty()) sheet.add(frame.picture);
         reporter.frame(frame, path);
         for (AovImage& aov : frame.aovs)
-          sink.submit(output_path(paths.pattern, number, aov.name), std::move(aov.image), metadata, written);
-        sink.submit(path, std::move(frame.picture), metadata, written);
+          sink.submit(output_path(paths.pattern, number, aov.name), std::move(aov.image), written, metadata);
+        sink.submit(path, std::move(frame.picture), written, metadata);
       });
   totals.rendering_ms = rendering.elapsed_ms();
 
@@ -186,7 +186,7 @@ ExitCode render(const RenderOptions& options, const OutputOptions& output) {
   timings.finish();
   totals.sum[PassId::write] = timings.written_ms();
   if (!output.contact_sheet.empty() && totals.frames > 0)
-    sink.submit(output.contact_sheet, sheet.sheet(), {}, {});
+    sink.submit(output.contact_sheet, sheet.sheet());
   sink.drain();
   write_file_atomically(paths.report, run_report(options, job, facts, totals, warnings).dump(2) + "\n");
 

@@ -1,6 +1,7 @@
 #include "core/image_io/oiio_setup.h"
 
 #include <OpenImageIO/imageio.h>
+#include <algorithm>
 #include <mutex>
 
 namespace hybridrt {
@@ -10,7 +11,19 @@ void set_up_oiio() {
   std::call_once(once, [] {
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);  // 0 would mean one for every processor of the machine
+    OIIO::attribute("debug", 0);         // standard error is ours
   });
+}
+
+std::span<const char* const> picture_formats() {
+  static constexpr const char* kFormats[] = {"png", "jpeg", "openexr", "tiff", "bmp",      "targa",
+                                             "hdr", "webp", "pnm",     "gif",  "jpeg2000", "fits"};
+  return kFormats;
+}
+
+bool is_picture_format(std::string_view name) {
+  const auto formats = picture_formats();
+  return std::find(formats.begin(), formats.end(), name) != formats.end();
 }
 
 std::string one_line(std::string_view message) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,14 @@ namespace hybridrt {
 /// Once before any use of OpenImageIO: its own thread pools stay off, parallelism is the caller's.
 /// Thread-safe.
 void set_up_oiio();
+
+/// The formats that we let OpenImageIO read and write, by its names. Their readers took 1,500 damaged files
+/// each without a crash. Left out on purpose: what is no picture file (null, term, zfile, ffmpeg, openvdb,
+/// raw, dicom); ico, iff and dpx (their readers write past their buffers or crash on damaged files); sgi
+/// (uninitialised bytes in the header); rla (time, user and host in the header); heif (starts threads of its
+/// own); psd, dds and the rest (read only, untried).
+std::span<const char* const> picture_formats();
+bool is_picture_format(std::string_view name);
 
 /// OpenImageIO's pending messages as one line.
 std::string one_line(std::string_view message);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <new>
-#include <string_view>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -46,15 +46,40 @@ void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {
                 path.string(), spec.width, spec.height, spec.nchannels, kMaxImageSidePx, kMaxImagePixels);
 }
 
+/// The reader that the extension asks for, else whichever knows the contents: pictures with a wrong extension
+/// are common. OpenImageIO's own search would also try its film, volume and raw camera readers.
+Input find_reader(const fs::path& path, std::string& problem) {
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);  // else PNG colours come multiplied by alpha
+  const auto opened = [&](Input reader) -> Input {
+    OIIO::ImageSpec spec;
+    if (reader && is_picture_format(reader->format_name()) && reader->open(path.string(), spec, as_stored))
+      return reader;
+    if (reader && reader->has_error() && problem.empty()) problem = one_line(reader->geterror());
+    OIIO::geterror();  // taken, or OpenImageIO prints it at exit
+    return nullptr;
+  };
+
+  const std::string extension = path.extension().string();
+  if (extension.size() > 1)
+    if (Input reader = opened(OIIO::ImageInput::create(extension.substr(1)))) return reader;
+  for (const char* format : picture_formats()) {
+    Input reader = OIIO::ImageInput::create(format);
+    if (reader && reader->valid_file(path.string()))
+      if (Input found = opened(std::move(reader))) return found;
+  }
+  return nullptr;
+}
+
 Input open_image(const fs::path& path) {
   require_regular_file(path);
   set_up_oiio();
-  OIIO::ImageSpec as_stored;
-  as_stored.attribute("oiio:UnassociatedAlpha", 1);  // else PNG colours come multiplied by alpha
-  Input input = OIIO::ImageInput::open(path.string(), &as_stored);
-  if (!input || std::string_view(input->format_name()) == "null")
-    throw error(ErrorKind::input, "{}: not a readable image: {}; check that the file is whole", path.string(),
-                one_line(OIIO::geterror()));
+  std::string problem;
+  Input input = find_reader(path, problem);
+  if (!input)
+    throw error(ErrorKind::input,
+                "{}: not a readable image: {}; use a whole PNG, JPEG, EXR, TIFF or the like", path.string(),
+                problem.empty() ? "unknown format" : problem);
   input->threads(1);
   require_size(path, input->spec());
   return input;

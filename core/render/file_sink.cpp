@@ -40,7 +40,7 @@ FileSink::~FileSink() {
   for (std::thread& worker : workers_) worker.join();
 }
 
-void FileSink::submit(fs::path path, Image image, ImageMetadata metadata, Done done) {
+void FileSink::submit(fs::path path, Image image, Done done, ImageMetadata metadata) {
   {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] { return queue_.size() < max_queued_ || failure_; });
@@ -82,8 +82,8 @@ void FileSink::work() {
     job = {};  // before the wait for the next one: an image may be large
 
     std::lock_guard lock(mutex_);
-    if (failure && !failure_) failure_ = failure;
-    if (failure) room_.notify_all();
+    if (failure && !failure_) failure_ = std::move(failure);  // leaves no owner here to outlive the catcher
+    if (failure_) room_.notify_all();
     if (--busy_ == 0 && queue_.empty()) idle_.notify_all();
   }
 }

@@ -37,7 +37,7 @@ class FileSink {
   ///
   /// Throws the first failure of an earlier picture (Error output for what the disk or the encoder refuses),
   /// once; this image is then not taken. The other pictures go on being written: a sink that threw is usable.
-  void submit(std::filesystem::path path, Image image, ImageMetadata metadata, Done done = {});
+  void submit(std::filesystem::path path, Image image, Done done = {}, ImageMetadata metadata = {});
 
   /// Waits until all is written; throws as `submit`.
   void drain();

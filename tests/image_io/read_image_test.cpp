@@ -1,0 +1,100 @@
+#include "core/image_io/read_image.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/image/srgb.h"
+#include "tests/image_io/encoded_file.h"
+
+namespace hybridrt {
+namespace {
+
+void expect_refused(const std::filesystem::path& path, const std::string& word) {
+  try {
+    read_image(path);
+    ADD_FAILURE() << path << " was read";
+  } catch (const Error& refusal) {
+    EXPECT_EQ(refusal.kind(), ErrorKind::input);
+    EXPECT_NE(std::string(refusal.what()).find(path.string()), std::string::npos) << refusal.what();
+    EXPECT_NE(std::string(refusal.what()).find(word), std::string::npos) << refusal.what();
+    EXPECT_EQ(std::string(refusal.what()).find('\n'), std::string::npos) << refusal.what();
+  }
+}
+
+/// A BMP header, 24 bits a pixel, that promises more than the file holds.
+std::string bmp_header(int32_t width, int32_t height) {
+  std::string bytes(54, '\0');
+  const auto put = [&](size_t at, int32_t value, int size) {
+    for (int i = 0; i < size; ++i) bytes[at + i] = static_cast<char>(value >> (8 * i));
+  };
+  bytes[0] = 'B', bytes[1] = 'M';
+  put(2, 54, 4), put(10, 54, 4), put(14, 40, 4), put(18, width, 4), put(22, height, 4), put(26, 1, 2),
+      put(28, 24, 2);
+  return bytes;
+}
+
+TEST(ReadImage, LinearDecodesIntegerFormatsOnly) {
+  const Image image(4, 4, 4, 0.25f);
+  const Image png = read_image_linear(EncodedFile(image, "png").path);
+  EXPECT_NEAR(png.data[0], 0.25, 0.003);
+  EXPECT_NEAR(png.data[3], 0.25, 0.003) << "alpha takes no curve";
+  EXPECT_EQ(read_image_linear(EncodedFile(image, "exr").path).data, image.data);
+}
+
+TEST(ReadImage, RowZeroIsOnTop) {
+  Image image(2, 3, 3);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 2; ++x) image.pixel(x, y)[0] = y == 0 ? 1.0f : 0.0f;
+  for (const char* format : {"png", "bmp", "tga", "tif", "exr"}) {
+    const Image back = read_image(EncodedFile(image, format).path);
+    EXPECT_EQ(back.pixel(1, 0)[0], 1) << format;
+    EXPECT_EQ(back.pixel(1, 2)[0], 0) << format;
+  }
+}
+
+TEST(ReadImage, TallImagesAreReadInStripsWithoutSeams) {
+  const Image image = gradient(5, 200, 3);
+  EXPECT_EQ(read_image(EncodedFile(image, "exr").path).data, image.data);
+}
+
+TEST(ReadImage, WrongExtensionsAreSeenThrough) {
+  const Image image = gradient(20, 10, 3);
+  for (const char* format : {"png", "exr", "bmp"}) {
+    const std::string bytes = EncodedFile::as_string(encode_image(image, format));
+    for (const char* extension : {"jpg", "tga", "xyz"})
+      EXPECT_EQ(read_image(EncodedFile(bytes, extension).path).data,
+                read_image(EncodedFile(bytes, format).path).data)
+          << format << " called " << extension;
+  }
+}
+
+TEST(ReadImage, RefusesWhatIsNoImage) {
+  expect_refused("/nowhere/a.png", "no such image");
+  expect_refused(std::filesystem::temp_directory_path(), "folder");
+  expect_refused("/dev/zero", "device");
+  expect_refused(EncodedFile("", "png").path, "not a readable image");
+  expect_refused(EncodedFile("", "null").path, "not a readable image");
+  std::string noise(5000, '\0');
+  for (size_t i = 0; i < noise.size(); ++i) noise[i] = static_cast<char>(i * 2654435761u >> 13);
+  for (const char* extension : {"png", "jpg", "exr", "tif", "hdr", "tga", "xyz"})
+    expect_refused(EncodedFile(noise, extension).path, extension);
+}
+
+TEST(ReadImage, RefusesFilesCutShort) {
+  const Image image = gradient(200, 200, 3);
+  for (const char* format : {"png", "exr", "bmp"}) {
+    const std::string bytes = EncodedFile::as_string(encode_image(image, format));
+    expect_refused(EncodedFile(bytes.substr(0, bytes.size() / 2), format).path, format);
+  }
+}
+
+TEST(ReadImage, RefusesHugeSizesBeforeAllocating) {
+  expect_refused(EncodedFile(bmp_header(65501, 1), "bmp").path, "too large");
+  expect_refused(EncodedFile(bmp_header(1, 65501), "bmp").path, "too large");
+  expect_refused(EncodedFile(bmp_header(40000, 40000), "bmp").path, "too large");
+  expect_refused(EncodedFile(bmp_header(30000, 30000), "bmp").path, "broken image");
+}
+
+}  // namespace
+}  // namespace hybridrt
