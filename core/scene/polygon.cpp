@@ -1,11 +1,13 @@
 #include "core/scene/polygon.h"
 
 #include <algorithm>
+#include <array>
 
 namespace hybridrt {
 namespace {
 
-constexpr size_t kStepsPerCorner = 1000;
+/// How long to look for ears in a polygon of n corners before taking it for one that crosses itself.
+size_t most_steps_for(size_t n) { return 100'000 + std::min<size_t>(1000 * n, 100'000'000) + 50 * n; }
 
 /// Twice the signed area of abc.
 double cross2(dvec2 a, dvec2 b, dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
@@ -48,24 +50,44 @@ class CornerGrid {
     for (uint32_t member : members) members_[next[cell(points[member])]++] = member;
   }
 
-  /// `visit(member)` for those in the cells that the box touches, until one returns true. Counts `steps`.
+  /// `visit(member)` for those in the cells that triangle abc touches, until one returns true. Counts
+  /// `steps`. Row by row, as ears may be long slivers whose box holds everything.
   template <typename Visit>
-  bool any(dvec2 lo, dvec2 hi, size_t& steps, const Visit& visit) const {
-    for (int y = coordinate(lo, 1); y <= coordinate(hi, 1); ++y)
-      for (int x = coordinate(lo, 0); x <= coordinate(hi, 0); ++x) {
+  bool any(dvec2 a, dvec2 b, dvec2 c, size_t& steps, const Visit& visit) const {
+    const std::array<dvec2, 4> corners = {in_cells(a), in_cells(b), in_cells(c), in_cells(a)};
+    const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+    for (int row = clamped(low); row <= clamped(high); ++row) {
+      double left = side_, right = 0;
+      for (int edge = 0; edge < 3; ++edge) widen(corners[edge], corners[edge + 1], row, left, right);
+      for (int x = clamped(left - kPad); x <= clamped(right + kPad); ++x) {
         ++steps;
-        const size_t at = static_cast<size_t>(y) * side_ + x;
+        const size_t at = static_cast<size_t>(row) * side_ + x;
         for (uint32_t i = starts_[at]; i < starts_[at + 1]; ++i)
           if (++steps; visit(members_[i])) return true;
       }
+    }
     return false;
   }
 
  private:
-  int coordinate(dvec2 p, int axis) const {
-    return std::clamp(static_cast<int>((p[axis] - lo_[axis]) * scale_[axis]), 0, side_ - 1);
+  static constexpr double kPad = 1e-6;  // cells; for rounding
+
+  dvec2 in_cells(dvec2 p) const { return (p - lo_) * scale_; }
+  int clamped(double cells) const { return std::clamp(static_cast<int>(cells), 0, side_ - 1); }
+  size_t cell(dvec2 p) const {
+    const dvec2 cells = in_cells(p);
+    return static_cast<size_t>(clamped(cells.y)) * side_ + clamped(cells.x);
   }
-  size_t cell(dvec2 p) const { return static_cast<size_t>(coordinate(p, 1)) * side_ + coordinate(p, 0); }
+  /// Grows [left, right] to the part of p-q that lies in the row. The last row has its upper edge in it.
+  void widen(dvec2 p, dvec2 q, int row, double& left, double& right) const {
+    if (p.y > q.y) std::swap(p, q);
+    const double bottom = row, top = row == side_ - 1 ? side_ + 1 : row + 1;
+    if (q.y < bottom || p.y > top) return;
+    const double slope = q.y > p.y ? (q.x - p.x) / (q.y - p.y) : 0;
+    const double from = p.y < bottom ? p.x + (bottom - p.y) * slope : p.x;
+    const double to = q.y > top ? p.x + (top - p.y) * slope : q.x;
+    left = std::min({left, from, to}), right = std::max({right, from, to});
+  }
 
   dvec2 lo_, scale_;
   int side_ = 1;
@@ -76,13 +98,17 @@ class CornerGrid {
 struct Ring {
   std::vector<dvec2> points;
   std::vector<uint32_t> previous, next;
-  std::vector<char> convex, alive;  ///< convex: turns strictly left
+  std::vector<uint32_t> in_the_way;  ///< of cutting a corner off, when last tried; at first itself
+  std::vector<char> convex, alive;   ///< convex: turns strictly left
 
   explicit Ring(std::vector<dvec2> flat) : points(std::move(flat)) {
     const auto n = static_cast<uint32_t>(points.size());
-    previous.resize(n), next.resize(n), convex.resize(n), alive.assign(n, 1);
-    for (uint32_t i = 0; i < n; ++i) previous[i] = (i + n - 1) % n, next[i] = (i + 1) % n;
+    previous.resize(n), next.resize(n), in_the_way.resize(n), convex.resize(n), alive.assign(n, 1);
+    for (uint32_t i = 0; i < n; ++i) previous[i] = (i + n - 1) % n, next[i] = (i + 1) % n, in_the_way[i] = i;
     for (uint32_t i = 0; i < n; ++i) update(i);
+  }
+  uint32_t any_alive() const {
+    return static_cast<uint32_t>(std::find(alive.begin(), alive.end(), 1) - alive.begin());
   }
   double turn(uint32_t i) const { return cross2(points[previous[i]], points[i], points[next[i]]); }
   void update(uint32_t i) { convex[i] = turn(i) > 0; }
@@ -98,7 +124,7 @@ struct Ring {
 /// Whether corner `b` can be cut off: no other corner lies in its triangle. Only corners that were not
 /// convex at the start can (and `grid` holds those); corners in the same place as one of the ear's do not
 /// count, as polygons with a hole run along the same edge twice.
-bool is_ear(const Ring& ring, const CornerGrid& grid, uint32_t b, size_t& steps) {
+bool is_ear(Ring& ring, const CornerGrid& grid, uint32_t b, size_t& steps) {
   if (!ring.convex[b]) return false;
   const uint32_t a = ring.previous[b], c = ring.next[b];
   const dvec2 pa = ring.points[a], pb = ring.points[b], pc = ring.points[c];
@@ -108,57 +134,93 @@ bool is_ear(const Ring& ring, const CornerGrid& grid, uint32_t b, size_t& steps)
     if (p == pa || p == pb || p == pc) return false;
     return cross2(pa, pb, p) >= 0 && cross2(pb, pc, p) >= 0 && cross2(pc, pa, p) >= 0;
   };
-  return !grid.any(glm::min(pa, glm::min(pb, pc)), glm::max(pa, glm::max(pb, pc)), steps, inside);
+  if (inside(ring.in_the_way[b])) return false;  // what was in the way the last time mostly still is
+  return !grid.any(pa, pb, pc, steps, [&](uint32_t other) {
+    if (!inside(other)) return false;
+    ring.in_the_way[b] = other;
+    return true;
+  });
 }
 
 bool clip_ears(std::span<const dvec3> corners, std::vector<uvec3>& triangles) {
+  if (newell_normal(corners) == dvec3(0)) {  // all on one line, or a figure of eight
+    for (uint32_t i = 2; i < corners.size(); ++i) triangles.emplace_back(0, i - 1, i);
+    return false;
+  }
   Ring ring(flattened(corners));
   std::vector<uint32_t> hollow;
   for (uint32_t i = 0; i < corners.size(); ++i)
     if (!ring.convex[i]) hollow.push_back(i);
   const CornerGrid grid(ring.points, hollow);
 
-  const size_t most_steps = kStepsPerCorner * corners.size();
-  size_t steps = 0, left = corners.size(), misses = 0;
-  bool clean = true;
-  for (uint32_t i = 0; left > 3; ++steps) {
-    // After a whole round without an ear only straight corners can go; after another one, anything.
-    const bool straight = misses > left && ring.turn(i) == 0;
-    const bool forced = misses > 2 * left || steps > most_steps;
-    if (!straight && !forced && !is_ear(ring, grid, i, steps)) {
-      i = ring.next[i];
-      ++misses;
-      continue;
-    }
-    clean = clean && (straight || !forced);
+  // In rounds over the convex corners. The neighbours of a corner that was cut off wait for the next round,
+  // or a round polygon would become a fan of slivers.
+  const size_t most_steps = most_steps_for(corners.size());
+  size_t steps = 0, left = corners.size();
+  std::vector<uint32_t> candidates, later;
+  std::vector<uint32_t> waits_in(corners.size(), 0), queued_in(corners.size(), 0);  // the round
+  for (uint32_t i = 0; i < corners.size(); ++i)
+    if (ring.convex[i]) candidates.push_back(i);
+  const auto try_later = [&](uint32_t i, uint32_t round) {
+    if (!ring.convex[i] || queued_in[i] == round) return;
+    queued_in[i] = round;
+    later.push_back(i);
+  };
+  const auto cut = [&](uint32_t i, uint32_t round) {
     triangles.emplace_back(ring.previous[i], i, ring.next[i]);
     ring.remove(i);
-    // Two on, not one: else a round polygon becomes a fan of slivers.
-    i = ring.next[ring.next[i]];
-    --left, misses = 0;
+    --left;
+    for (const uint32_t neighbour : {ring.previous[i], ring.next[i]}) {
+      try_later(neighbour, round);
+      waits_in[neighbour] = round;
+    }
+  };
+
+  bool clean = true;
+  for (uint32_t round = 1; left > 3 && steps < most_steps; ++round) {
+    const size_t before = left;
+    for (const uint32_t i : candidates) {
+      if (left <= 3 || !ring.alive[i] || waits_in[i] == round) continue;
+      if (++steps; is_ear(ring, grid, i, steps))
+        cut(i, round);
+      else
+        try_later(i, round);
+    }
+    if (left == before) {  // no ear: a straight corner may go, else the polygon crosses itself
+      uint32_t straight = 0;
+      while (straight < corners.size() && !(ring.alive[straight] && ring.turn(straight) == 0)) ++straight;
+      clean = clean && straight < corners.size();
+      cut(straight < corners.size() ? straight : ring.any_alive(), round);
+      steps += corners.size();
+    }
+    candidates.swap(later);
+    later.clear();
   }
-  uint32_t i = 0;
-  while (!ring.alive[i]) ++i;
-  triangles.emplace_back(ring.previous[i], i, ring.next[i]);
+  clean = clean && left == 3;
+  for (uint32_t i = ring.any_alive(); left >= 3; --left, i = ring.previous[i]) {
+    triangles.emplace_back(ring.previous[i], i, ring.next[i]);
+    ring.remove(i);
+  }
   return clean;
 }
 
-/// Whether the cut a-c gives two triangles abc, acd that face the same way. One so flat that float
-/// coordinates may make it vanish does not count: a quad with a straight corner has a better cut.
-bool good_cut(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
+/// How good the cut a-c is: a point for each of abc, acd that has an area, one if they face the same way.
+/// One so flat that float coordinates may make it vanish has none: a quad with a straight corner has a
+/// better cut.
+int cut_score(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
   constexpr double kFlat = 1e-6;  // sine of the angle at a
   const dvec3 ab = b - a, ac = c - a, ad = d - a;
   const dvec3 abc = glm::cross(ab, ac), acd = glm::cross(ac, ad);
   const double length_ac = glm::length(ac);
-  return glm::dot(abc, acd) > 0 && glm::length(abc) > kFlat * glm::length(ab) * length_ac &&
-         glm::length(acd) > kFlat * length_ac * glm::length(ad);
+  return (glm::length(abc) > kFlat * glm::length(ab) * length_ac) +
+         (glm::length(acd) > kFlat * length_ac * glm::length(ad)) + (glm::dot(abc, acd) > 0);
 }
 
 void cut_quad(std::span<const dvec3> q, std::vector<uvec3>& triangles) {
-  const bool good02 = good_cut(q[0], q[1], q[2], q[3]), good13 = good_cut(q[1], q[2], q[3], q[0]);
+  const int score02 = cut_score(q[0], q[1], q[2], q[3]), score13 = cut_score(q[1], q[2], q[3], q[0]);
   const dvec3 d02 = q[2] - q[0], d13 = q[3] - q[1];
   const bool shorter02 = glm::dot(d02, d02) <= glm::dot(d13, d13);
-  if (good02 == good13 ? shorter02 : good02) {
+  if (score02 == score13 ? shorter02 : score02 > score13) {
     triangles.emplace_back(0, 1, 2);
     triangles.emplace_back(0, 2, 3);
   } else {

@@ -167,7 +167,7 @@ SpheresPlan plan_spheres(const SpheresOptions& options) {
   choose_ball(plan, static_cast<int64_t>(kBallShare * total) / plan.balls());
   choose_ground(plan, (options.triangles - plan.balls() * plan.ball_triangles() + 1) / 2);
 
-  int mirrors = static_cast<int>(std::lround(options.reflective_percent / 100 * plan.balls()));
+  int mirrors = static_cast<int>(std::lround(options.reflective_percent * plan.balls() / 100));
   if (options.reflective_percent > 0) mirrors = std::max(mirrors, 1);
   const std::vector<int> order = shuffled(plan.balls());
   plan.is_mirror.assign(plan.balls(), 0);
