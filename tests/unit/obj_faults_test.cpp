@@ -55,6 +55,16 @@ TEST(ObjFaults, VerticesThatAreNoNumbers) {
   EXPECT_TRUE(contains(error_of("v 0 0 0\nv 1 2"), "test.obj:2: vertex 2 ends before its z coordinate"));
 }
 
+TEST(ObjFaults, FilesCutShort) {
+  const string whole = kTriangle + "v 1 1 0\nf 1 2 3\nf 2 4 3";
+  EXPECT_EQ(load_text(whole).scene.triangle_count(), 2u);
+  for (size_t cut = 1; cut <= 4; ++cut)
+    EXPECT_TRUE(
+        contains(error_of(whole.substr(0, whole.size() - cut)), "test.obj:6: the file ends in the middle"));
+  EXPECT_EQ(load_text(whole.substr(0, whole.size() - 7)).scene.triangle_count(), 1u)
+      << "nothing to be seen of it";
+}
+
 TEST(ObjFaults, PositionIndicesOutOfRange) {
   for (const string bad :
        {"0", "-4", "4294967297", "2147483648", "-2147483649", "99999999999999999999", "0/1/1"})
