@@ -9,7 +9,7 @@
 #include "cli/progress.h"
 #include "cli/run_report.h"
 #include "cli/version.h"
-#include "core/base/atomic_file.h"
+#include "core/base/output_file.h"
 #include "core/image/contact_sheet.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/file_sink.h"
