@@ -1,6 +1,7 @@
 #include "core/scene/camera.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace hybridrt {
@@ -67,6 +68,7 @@ Camera camera_on_orbit(const Orbit& orbit, double fraction) {
   camera.target_world = orbit.target_world;
   camera.eye_world = orbit.target_world +
                      dvec3(std::sin(azimuth) * orbit.radius, orbit.height, std::cos(azimuth) * orbit.radius);
+  if (orbit.outward) std::swap(camera.eye_world, camera.target_world);
   camera.fov_y_rad = orbit.fov_y_rad;
   return camera;
 }

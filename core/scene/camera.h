@@ -21,6 +21,7 @@ struct Orbit {
   double from_rad = 0;       ///< azimuth of the first frame: 0 looks along -z, growing toward +x
   double to_rad = 2 * kPi;   ///< azimuth where the turn ends; the last frame stops one step short of it
   double fov_y_rad = 0.7853981633974483;
+  bool outward = false;      ///< the eye stands at `target_world` and looks to where it would otherwise stand
 };
 
 /// The eye `fraction` (0..1) of the way through the orbit.
