@@ -2,6 +2,7 @@
 
 #include "cli/commands.h"
 #include "cli/nearest_option.h"
+#include "cli/version.h"
 #include "core/base/error.h"
 
 #include <CLI/CLI.hpp>
@@ -33,6 +34,9 @@ ExitCode run(int argc, char** argv) {
   CLI::App app{"hybridrt: headless hybrid CPU-GPU renderer of frame sequences", "hybridrt"};
   app.require_subcommand(0, 1);
   Command chosen;
+  bool version = false, as_json = false;
+  app.add_flag("--version", version, "Version, commit, compiler, libraries, GL renderer");
+  app.add_flag("--json", as_json, "With --version: as one JSON object");
   add_render_command(app, chosen);
   add_compare_command(app, chosen);
   add_golden_command(app, chosen);
@@ -42,6 +46,7 @@ ExitCode run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (chosen) return chosen();
+    if (version) return print_version(as_json);
     if (argc <= 1) fmt::print("{}", app.help());
     return ExitCode::ok;
   } catch (const CLI::Success& help_or_version) {

@@ -123,8 +123,7 @@ CameraMotion make_motion(const RenderOptions& o, const RenderJob& job) {
     throw error(ErrorKind::usage, "--fov {}: allowed is more than 0 and less than 180 degrees", o.fov_deg);
   const double fov_y_rad = o.fov_deg * kPi / 180;
   const RenderSettings& s = job.settings;
-  motion.orbit = default_orbit(job.scene.bounds, job.scene.origin_world,
-                               static_cast<double>(s.width_px) / s.height_px, fov_y_rad);
+  motion.orbit = default_orbit(job.scene, static_cast<double>(s.width_px) / s.height_px, fov_y_rad);
   if (o.eye.empty()) {
     if (!o.target.empty() || !o.up.empty())
       throw error(ErrorKind::usage, "--target and --up describe a still camera; give --eye X,Y,Z too");
@@ -144,6 +143,7 @@ CameraMotion make_motion(const RenderOptions& o, const RenderJob& job) {
 
 DirectionalLight make_light(const RenderOptions& o, const RenderJob& job) {
   DirectionalLight light;
+  light.color = vec3(1) - job.scene.ambient;  // a white surface facing it is just white
   if (!o.light.empty()) {
     light.toward = parse_vector("--light", o.light);
     if (light.toward == dvec3(0)) throw error(ErrorKind::usage, "--light {}: it must not be zero", o.light);

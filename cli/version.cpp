@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
+#include "core/gl/context.h"
 #include "core/image_io/encode_image.h"
 
 namespace hybridrt::cli {
@@ -17,6 +18,27 @@ nlohmann::ordered_json library_versions() {
           {"glm", fmt::format("{}.{}.{}", GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH)},
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
           {"cli11", CLI11_VERSION}};
+}
+
+ExitCode print_version(bool as_json) {
+  nlohmann::ordered_json facts = {
+      {"version", kVersion}, {"commit", kCommit}, {"compiler", kCompiler}, {"libraries", library_versions()}};
+  facts["gl_renderer"] = nullptr;
+  try {
+    const gl::ContextInfo info = gl::open_context({})->info();
+    facts["gl_renderer"] = info.renderer + ", OpenGL " + info.version;
+  } catch (const Error&) {  // a version can be told without one
+  }
+  if (as_json) {
+    fmt::print("{}\n", facts.dump(2));
+    return ExitCode::ok;
+  }
+  fmt::print("hybridrt {} ({}), built by {}\n", kVersion, kCommit, kCompiler);
+  for (const auto& [library, version] : facts["libraries"].items())
+    fmt::print("{} {}\n", library, version.get<std::string>());
+  fmt::print("GL: {}\n", facts["gl_renderer"].is_null() ? "none usable, see 'hybridrt doctor'"
+                                                        : facts["gl_renderer"].get<std::string>());
+  return ExitCode::ok;
 }
 
 }  // namespace hybridrt::cli

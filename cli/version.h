@@ -2,6 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "cli/exit_codes.h"
+
 namespace hybridrt::cli {
 
 extern const char* const kVersion;   ///< of the program
@@ -10,5 +12,8 @@ extern const char* const kCompiler;  ///< name and version
 
 /// The libraries that pixels and times depend on, with the versions that this program was built with.
 nlohmann::ordered_json library_versions();
+
+/// `hybridrt --version`: all of that, and the GL renderer when a context can be opened.
+ExitCode print_version(bool as_json);
 
 }  // namespace hybridrt::cli

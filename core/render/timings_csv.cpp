@@ -1,40 +1,15 @@
 #include "core/render/timings_csv.h"
 
-#include "core/base/error.h"
-
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 
 namespace hybridrt {
 
-TimingsCsv::TimingsCsv(const std::string& path) : path_(path) {
-  if (path_ == "-") {
-    file_ = stdout;
-  } else {
-    const std::filesystem::path final_path(path_);
-    temporary_ = (final_path.parent_path() / fmt::format(".{}.tmp-{}", final_path.filename().string(), getpid())).string();
-    file_ = std::fopen(temporary_.c_str(), "wb");
-    if (!file_) fail();
-  }
+TimingsCsv::TimingsCsv(const std::string& path) : file_(path == "-" ? "/dev/stdout" : path) {
   std::string header = "frame";
   for (std::string_view pass : kPassNames) header += fmt::format(",{}_ms", pass);
   header += ",wall_ms,pixels_hit,pixels_marked,pixels_reflective,pixels_refractive,shadow_rays,reflection_rays,"
             "refraction_rays,shadow_cpu_ms,secondary_cpu_ms,primary_shadow_rays\n";
-  std::fputs(header.c_str(), file_);
-}
-
-TimingsCsv::~TimingsCsv() {
-  if (!file_ || file_ == stdout) return;
-  std::fclose(file_);
-  unlink(temporary_.c_str());
-}
-
-void TimingsCsv::fail() const {
-  throw error(ErrorKind::output, "{}: cannot write the timings: {}", path_, std::strerror(errno));
+  file_.write(header);
 }
 
 void TimingsCsv::add(const Frame& frame, int files) {
@@ -71,19 +46,13 @@ void TimingsCsv::write_row(int frame, const Row& row) {
   line += fmt::format(",{:.3f},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", timings.wall_ms, s.pixels_hit,
                       s.pixels_marked, s.pixels_reflective, s.pixels_refractive, s.shadow_rays, s.reflection_rays,
                       s.refraction_rays, s.shadow_cpu_ms, s.secondary_cpu_ms, s.primary_shadow_rays);
-  std::fputs(line.c_str(), file_);
+  file_.write(line);
 }
 
 void TimingsCsv::finish() {
   std::lock_guard lock(mutex_);
   write_complete_rows();
-  if (std::fflush(file_) != 0 || std::ferror(file_)) fail();
-  if (file_ == stdout) return;
-  if (fsync(fileno(file_)) != 0) fail();
-  if (std::fclose(std::exchange(file_, nullptr)) != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    unlink(temporary_.c_str());
-    fail();
-  }
+  file_.commit();
 }
 
 }  // namespace hybridrt

@@ -1,6 +1,7 @@
 #include "core/scene/camera.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace hybridrt {
 namespace {
@@ -8,6 +9,55 @@ namespace {
 constexpr double kOrbitElevation_rad = 22 * kPi / 180;
 constexpr double kOrbitStart_rad = 30 * kPi / 180;  // a three-quarter view of things that face +z
 constexpr double kMargin = 1.04;
+
+/// Seen from all around, a scene sweeps a solid of revolution about the upright axis through its middle;
+/// this is that solid cut into level slices.
+struct Slice {
+  double height, radius;
+};
+using Silhouette = std::vector<Slice>;
+
+constexpr int kSlices = 64;
+
+Silhouette sweep(const Scene& scene) {
+  const dvec3 middle(scene.bounds.center());
+  const double bottom = scene.bounds.lo.y, height = std::max(0.0f, scene.bounds.extent().y);
+  std::vector<double> squared(kSlices, -1.0);
+  for (const uvec3& triangle : scene.triangle_positions)
+    for (int corner = 0; corner < 3; ++corner) {
+      const dvec3 p(scene.positions[triangle[corner]]);
+      const double share = height > 0 ? (p.y - bottom) / height : 0;
+      double& slice = squared[std::clamp(static_cast<int>(share * kSlices), 0, kSlices - 1)];
+      slice = std::max(slice, (p.x - middle.x) * (p.x - middle.x) + (p.z - middle.z) * (p.z - middle.z));
+    }
+  Silhouette silhouette;
+  for (int i = 0; i < kSlices; ++i)
+    if (squared[i] >= 0)
+      for (int edge : {i, i + 1}) silhouette.push_back({bottom + height * edge / kSlices, std::sqrt(squared[i])});
+  return silhouette;
+}
+
+struct Picture {
+  double tan_half_width, tan_half_height;
+};
+
+/// From how far away all rims of the silhouette fit between the picture's edges: a point (x, y) across and z
+/// toward the eye needs a distance of z + |x| / tan_half_width and of z + |y| / tan_half_height.
+double distance_for(const Silhouette& silhouette, double target_height, const Picture& picture) {
+  const double sine = std::sin(kOrbitElevation_rad), cosine = std::cos(kOrbitElevation_rad);
+  double distance = 0;
+  for (int step = 0; step <= 90; ++step) {  // one half; the other is its mirror image
+    const double angle = step * kPi / 90;
+    for (const Slice& slice : silhouette) {
+      const double across = slice.radius * std::sin(angle), away = slice.radius * std::cos(angle);
+      const double above = slice.height - target_height;
+      const double toward_eye = away * cosine + above * sine, upward = above * cosine - away * sine;
+      distance = std::max({distance, toward_eye + across / picture.tan_half_width,
+                           toward_eye + std::abs(upward) / picture.tan_half_height});
+    }
+  }
+  return distance;
+}
 
 }  // namespace
 
@@ -21,31 +71,26 @@ Camera camera_on_orbit(const Orbit& orbit, double fraction) {
   return camera;
 }
 
-Orbit default_orbit(const Aabb& bounds, const dvec3& scene_origin_world, double aspect, double fov_y_rad) {
-  // Seen from all around, the box sweeps an upright cylinder. Far enough is where every point of its two
-  // rims fits between the picture's edges; a rim point at (x, y) across and z toward the eye needs
-  // distance >= z + |x| / tan_half_width and >= z + |y| / tan_half_height.
-  const dvec3 half = 0.5 * dvec3(bounds.extent());
-  const double cylinder_radius = std::hypot(half.x, half.z);
-  const double tan_half_height = std::tan(0.5 * fov_y_rad), tan_half_width = tan_half_height * aspect;
-  const double sine = std::sin(kOrbitElevation_rad), cosine = std::cos(kOrbitElevation_rad);
-  double distance = 0;
-  for (int step = 0; step < 360; ++step) {
-    const double angle = step * kPi / 180;
-    const double across = cylinder_radius * std::sin(angle), away = cylinder_radius * std::cos(angle);
-    for (double height : {-half.y, half.y}) {
-      const double toward_eye = away * cosine + height * sine;
-      const double upward = height * cosine - away * sine;
-      distance = std::max({distance, toward_eye + std::abs(across) / tan_half_width,
-                           toward_eye + std::abs(upward) / tan_half_height});
-    }
+Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad) {
+  const Silhouette silhouette = sweep(scene);
+  const Picture picture{std::tan(0.5 * fov_y_rad) * aspect, std::tan(0.5 * fov_y_rad)};
+
+  // The height to look at that lets the camera come nearest; the distance is convex in it.
+  double low = silhouette.front().height, high = silhouette.back().height;
+  for (int step = 0; step < 60; ++step) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    if (distance_for(silhouette, a, picture) < distance_for(silhouette, b, picture)) high = b;
+    else low = a;
   }
+  const double height = 0.5 * (low + high);
+  double distance = kMargin * distance_for(silhouette, height, picture);
   if (!(distance > 0)) distance = 1;  // a scene that is one point
 
+  const vec3 middle = scene.bounds.center();
   Orbit orbit;
-  orbit.target_world = scene_origin_world + dvec3(bounds.center());
-  orbit.radius = kMargin * distance * cosine;
-  orbit.height = kMargin * distance * sine;
+  orbit.target_world = scene.origin_world + dvec3(middle.x, height, middle.z);
+  orbit.radius = distance * std::cos(kOrbitElevation_rad);
+  orbit.height = distance * std::sin(kOrbitElevation_rad);
   orbit.from_rad = kOrbitStart_rad;
   orbit.to_rad = kOrbitStart_rad + 2 * kPi;
   orbit.fov_y_rad = fov_y_rad;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/math.h"
+#include "core/scene/scene.h"
 
 namespace hybridrt {
 
@@ -25,9 +26,9 @@ struct Orbit {
 /// The eye `fraction` (0..1) of the way through the orbit.
 Camera camera_on_orbit(const Orbit& orbit, double fraction);
 
-/// An orbit, slightly from above, from which the whole of `bounds` (scene space) stays in view of a
-/// picture `aspect` times as wide as high.
-Orbit default_orbit(const Aabb& bounds, const dvec3& scene_origin_world, double aspect, double fov_y_rad);
+/// An orbit about the middle of the scene's box, slightly from above and as near as the whole scene stays in
+/// view from all around, for a picture `aspect` times as wide as high.
+Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad);
 
 /// Direction toward the default light: from above, to the left of and behind `camera`. Unit.
 dvec3 default_light_toward(const Camera& camera);

@@ -145,6 +145,9 @@ void ObjFilter::check_face(char* p, const char* end) {
     if (p == end) break;
     check_corner(p, end, ++corners);
   }
+  if (corners < 3 && lines_.unfinished())
+    throw error(ErrorKind::input, "{}:{}: the file ends in the middle of a face; is it cut short?",
+                path().string(), line());
   if (corners < 3) small_faces_.add(line());
 }
 

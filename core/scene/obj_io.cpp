@@ -117,18 +117,19 @@ void take_materials(ObjData& obj, std::vector<Material> library, Scene& scene,
 
   bool default_used = false;
   Tally unknown;
+  uint32_t first_unknown = 0;
   for (size_t i = 0; i < obj.triangle_materials.size(); ++i) {
     const uint32_t name = obj.triangle_materials[i];
     if (library_index[name] != kNoIndex) continue;
     default_used = true;
-    if (name != 0) unknown.add(obj.triangle_lines[i]);
+    if (name == 0) continue;
+    if (unknown.count == 0) first_unknown = name;
+    unknown.add(obj.triangle_lines[i]);
   }
   if (unknown.count > 0) {
-    size_t first = 1;
-    while (library_index[first] != kNoIndex) ++first;
     const std::string what =
         fmt::format("triangles use materials that no MTL file defines ({}) and are drawn as default",
-                    in_quotes(obj.material_names[first]));
+                    in_quotes(obj.material_names[first_unknown]));
     report(unknown, what, path, warnings);
   }
   if (default_used) scene.materials.push_back(default_material());

@@ -8,7 +8,7 @@
 
 namespace hybridrt {
 
-/// Reads an OBJ and the MTL files it names into a validated scene without lights.
+/// Reads an OBJ and the MTL files it names into a validated scene.
 ///  - Positions keep the file's order, unused ones too. `origin_world` is 0 unless the scene lies farther
 ///    from the origin than 16 times its size.
 ///  - Polygons are cut into triangles; faces of fewer than three corners and triangles that repeat a

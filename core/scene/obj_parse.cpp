@@ -155,7 +155,8 @@ ObjData parse_obj(const std::filesystem::path& path, Warnings& warnings) {
 
   filter.finish(warnings);
   cut_waiting_polygons(builder);
-  report(builder.tangled, "polygons cross themselves or have no area and were cut as they came", path, warnings);
+  report(builder.tangled, "polygons cross themselves or have no area and were cut as they came", path,
+         warnings);
   builder.data.libraries = filter.libraries();
   builder.data.faces = filter.faces();
   return std::move(builder.data);

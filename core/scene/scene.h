@@ -26,7 +26,6 @@ struct Scene {
   std::vector<uint32_t> triangle_materials;    ///< index into `materials`
   std::vector<Material> materials;             ///< resolved; at least one
 
-  std::vector<DirectionalLight> lights;        ///< empty: the command line adds the default light
   vec3 ambient{0.15f};                         ///< times Kd
   vec3 background{0.7f};
 

@@ -34,7 +34,7 @@ SpheresPlan plan_spheres(const SpheresOptions& options);
 /// Unit spacing, y up, the ground at y = 0 with its middle at the origin; balls hover 2 % of their
 /// diameter above it, so that no two triangles touch. First the ground, then the balls row by row.
 /// Balls are closed meshes with outward winding and exact normals, which all balls share. Materials: ground
-/// and five matte colours, each as a mirror too (illum 3, Ks 0.5); those that are used, no more. No lights.
+/// and five matte colours, each as a mirror too (illum 3, Ks 0.5); those that are used, no more.
 /// Throws as plan_spheres().
 Scene make_spheres(const SpheresOptions& options);
 

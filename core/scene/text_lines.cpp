@@ -87,6 +87,7 @@ bool TextLines::next_part(TextLine& part) {
     part = {buffer_.data() + begin_, buffer_.data() + end_};  // a last line without an end
     *part.end = '\n';
     begin_ = end_;
+    unfinished_ = true;
     ++parts_;
     return true;
   }

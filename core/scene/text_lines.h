@@ -39,6 +39,8 @@ class TextLines {
 
   /// Of the line that next() gave last (of its first part when it was joined), counted from 1.
   size_t line_number() const { return line_number_; }
+  /// Whether the file ended before that line did: a last line like that may be a torso.
+  bool unfinished() const { return unfinished_; }
   const std::filesystem::path& path() const { return path_; }
 
  private:
@@ -54,6 +56,7 @@ class TextLines {
   bool first_block_ = true;
   bool has_cr_ = false;        // no carriage return so far: line ends are found by memchr
   bool skip_newline_ = false;  // the last line ended in CR: a newline right behind belongs to it
+  bool unfinished_ = false;
   size_t parts_ = 0, line_number_ = 0;
   std::string joined_;
 };

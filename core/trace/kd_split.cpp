@@ -7,10 +7,11 @@
 namespace hybridrt {
 namespace {
 
+// Measured: a test of four triangles costs about as much as a step down, whose branch is hard to foresee.
 constexpr float kStepCost = 1.0f;
 constexpr float kLeafCost = 1.0f;       // entering a leaf at all
-constexpr float kFourTestsCost = 2.0f;  // four triangle tests at once
-constexpr float kEmptyBonus = 0.8f;     // planes that cut off empty space look this much cheaper
+constexpr float kFourTestsCost = 0.6f;  // four triangle tests at once
+constexpr float kEmptyBonus = 0.9f;     // planes that cut off empty space look this much cheaper
 constexpr int kBins = 64;
 constexpr size_t kSweepMax = 48;  // up to here all planes are tried
 constexpr size_t kBinGrain = 1 << 15;

@@ -29,33 +29,36 @@ namespace HWY_NAMESPACE {
 ///  - in double, the rounding of clipped triangles when the tree was built.
 template <typename Real>
 struct PlaneRay {
-  Vec3<Real> origin;
-  Vec3<Real> inv_dir;  ///< finite and not zero: components near zero are replaced by tiny ones
-  Vec3<Real> slack;    ///< in units of t, for planes across each axis
-  Real t_near, t_far;  ///< where the ray crosses the bounds, cut to its own range
+  struct Axis {
+    Real origin;
+    Real inv_dir;              ///< finite and not zero: components near zero are replaced by tiny ones
+    Real slack;                ///< in units of t
+  } axes[3];                   // an array: glm's vectors index by branches
+  uint32_t near_is_right = 0;  ///< bit k is set where the ray goes down axis k
+  Real t_near, t_far;          ///< where the ray crosses the bounds, cut to its own range
 
-  PlaneRay(const Aabb& bounds, const Ray<Real>& ray)
-      : origin(ray.origin), t_near(ray.t_min), t_far(ray.t_max) {
-    constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();
+  PlaneRay(const Aabb& bounds, const Ray<Real>& ray) : t_near(ray.t_min), t_far(ray.t_max) {
+    constexpr bool kIsDouble = std::numeric_limits<Real>::digits > 24;
     constexpr Real kLargest = std::numeric_limits<Real>::max() / 4;
-    const Vec3<Real> lo = Vec3<Real>(bounds.lo) - origin, hi = Vec3<Real>(bounds.hi) - origin;
-    Real reach = 0;  // no coordinate relative to the origin is larger
-    for (int axis = 0; axis < 3; ++axis)
-      reach = std::max(reach, std::max(std::abs(lo[axis]), std::abs(hi[axis])));
-    if constexpr (std::numeric_limits<Real>::digits > 24)  // clipping worked with absolute coordinates
-      reach += std::max(std::max(std::abs(origin.x), std::abs(origin.y)), std::abs(origin.z));
-    const Real error = std::numeric_limits<Real>::digits > 24 ? reach * Real(1e-12) : reach * 5 * kEpsilon;
+    const Vec3<Real> lo = Vec3<Real>(bounds.lo) - ray.origin, hi = Vec3<Real>(bounds.hi) - ray.origin;
+    Real reach = largest(glm::max(glm::abs(lo), glm::abs(hi)));  // of coordinates relative to the origin
+    if (kIsDouble) reach += largest(glm::abs(ray.origin));       // clipping worked with absolute ones
+    const Real error = reach * (kIsDouble ? Real(1e-12) : 5 * std::numeric_limits<Real>::epsilon());
+    const Real smallest_dir = largest(glm::abs(ray.dir)) * Real(1e-20);
 
-    const Real largest = std::max(std::max(std::abs(ray.dir.x), std::abs(ray.dir.y)), std::abs(ray.dir.z));
-    for (int axis = 0; axis < 3; ++axis) {
-      const Real d = std::max(std::abs(ray.dir[axis]), largest * Real(1e-20));
-      inv_dir[axis] = std::min(1 / d, kLargest) * std::copysign(Real(1), ray.dir[axis]);
-      slack[axis] = std::min(error * std::abs(inv_dir[axis]), kLargest);
-      const Real t0 = lo[axis] * inv_dir[axis], t1 = hi[axis] * inv_dir[axis];
-      t_near = std::max(t_near, std::min(t0, t1) - slack[axis]);
-      t_far = std::min(t_far, std::max(t0, t1) + slack[axis]);
+    for (int k = 0; k < 3; ++k) {
+      const Real inv_dir =
+          std::copysign(std::min(1 / std::max(std::abs(ray.dir[k]), smallest_dir), kLargest), ray.dir[k]);
+      const Real slack = std::min(error * std::abs(inv_dir), kLargest);
+      const Real t0 = lo[k] * inv_dir, t1 = hi[k] * inv_dir;
+      t_near = std::max(t_near, std::min(t0, t1) - slack);
+      t_far = std::min(t_far, std::max(t0, t1) + slack);
+      axes[k] = {ray.origin[k], inv_dir, slack};
+      near_is_right |= uint32_t{std::signbit(inv_dir)} << k;
     }
   }
+
+  static Real largest(const Vec3<Real>& v) { return std::max(std::max(v.x, v.y), v.z); }
 };
 
 /// Closest hit, or with kAny the first one met. `Leaf` tests a leaf's triangles:
@@ -76,19 +79,19 @@ Hit<Real> traverse(const KdTree& tree, const Ray<Real>& ray) {
   int todo_count = 0;
 
   const KdNode* const nodes = tree.nodes.data();
-  const uint32_t near_is_right[3] = {std::signbit(planes.inv_dir.x), std::signbit(planes.inv_dir.y),
-                                     std::signbit(planes.inv_dir.z)};
   uint32_t node = 0;
   Real t_near = planes.t_near, t_far = planes.t_far;
   if (!(t_near <= t_far)) return {};
   for (;;) {
     // Down to a leaf, the nearer child first.
     while (!nodes[node].is_leaf()) {
-      const int axis = nodes[node].axis();
-      const Real t_plane = (Real(nodes[node].split) - planes.origin[axis]) * planes.inv_dir[axis];
-      const uint32_t left = nodes[node].left_child();
-      const uint32_t near = left + near_is_right[axis], far = left + (near_is_right[axis] ^ 1);
-      const Real t_before = t_plane - planes.slack[axis], t_after = t_plane + planes.slack[axis];
+      const KdNode inner = nodes[node];
+      const int k = inner.axis();
+      const auto& axis = planes.axes[k];
+      const Real t_plane = (Real(inner.split) - axis.origin) * axis.inv_dir;
+      const Real t_before = t_plane - axis.slack, t_after = t_plane + axis.slack;
+      const uint32_t near = inner.left_child() + (planes.near_is_right >> k & 1);
+      const uint32_t far = near ^ 1;  // the children of a node are 2i and 2i + 1
       if (t_before > t_far) {
         node = near;
       } else if (t_after < t_near) {

@@ -53,9 +53,10 @@ inline constexpr float kSmallestFloatDet = 1e-36f, kLargestFloatDet = 1e36f;
 template <typename Real>
 bool intersect_triangle(const ShearedRay<Real>& ray, const vec3& v0, const vec3& v1, const vec3& v2,
                         TriangleHit<Real>& hit) {
-  const Vec3<Real> a = Vec3<Real>(v0) - ray.origin;
-  const Vec3<Real> b = Vec3<Real>(v1) - ray.origin;
-  const Vec3<Real> c = Vec3<Real>(v2) - ray.origin;
+  const auto& o = ray.origin;  // arrays, as glm's vectors index by branches
+  const Real a[3] = {v0.x - o.x, v0.y - o.y, v0.z - o.z};
+  const Real b[3] = {v1.x - o.x, v1.y - o.y, v1.z - o.z};
+  const Real c[3] = {v2.x - o.x, v2.y - o.y, v2.z - o.z};
   const Real ax = a[ray.kx] - ray.sx * a[ray.kz], ay = a[ray.ky] - ray.sy * a[ray.kz];
   const Real bx = b[ray.kx] - ray.sx * b[ray.kz], by = b[ray.ky] - ray.sy * b[ray.kz];
   const Real cx = c[ray.kx] - ray.sx * c[ray.kz], cy = c[ray.ky] - ray.sy * c[ray.kz];

@@ -12,9 +12,9 @@ using std::string;
 TEST(ObjFaults, FilesThatAreNone) {
   ThreadPool pool(1);
   Warnings warnings;
-  const TempFolder folder;
-  EXPECT_THROW(load_obj(folder.path() / "missing.obj", pool, warnings), Error);
-  EXPECT_THROW(load_obj(folder.path(), pool, warnings), Error);
+  const TemporaryFolder folder;
+  EXPECT_THROW(load_obj(folder.path / "missing.obj", pool, warnings), Error);
+  EXPECT_THROW(load_obj(folder.path, pool, warnings), Error);
   EXPECT_TRUE(contains(error_of(""), "no faces"));
   EXPECT_TRUE(contains(error_of(kTriangle), "no faces (3 vertices)"));
   EXPECT_TRUE(contains(error_of(kTriangle + "f 1 2\n"), "none of its 1 faces"));
@@ -53,6 +53,16 @@ TEST(ObjFaults, VerticesThatAreNoNumbers) {
     EXPECT_TRUE(contains(message, "test.obj:2: vertex 2: its y coordinate")) << bad << ": " << message;
   }
   EXPECT_TRUE(contains(error_of("v 0 0 0\nv 1 2"), "test.obj:2: vertex 2 ends before its z coordinate"));
+}
+
+TEST(ObjFaults, FilesCutShort) {
+  const string whole = kTriangle + "v 1 1 0\nf 1 2 3\nf 2 4 3";
+  EXPECT_EQ(load_text(whole).scene.triangle_count(), 2u);
+  for (size_t cut = 1; cut <= 4; ++cut)
+    EXPECT_TRUE(
+        contains(error_of(whole.substr(0, whole.size() - cut)), "test.obj:6: the file ends in the middle"));
+  EXPECT_EQ(load_text(whole.substr(0, whole.size() - 7)).scene.triangle_count(), 1u)
+      << "nothing to be seen of it";
 }
 
 TEST(ObjFaults, PositionIndicesOutOfRange) {
