@@ -129,6 +129,7 @@ void GlRenderer::rasterize(FrameSlot& slot) {
   if (plan.read_ids) slot.ids_readback.start(slot.ids, GL_RED_INTEGER, GL_UNSIGNED_INT);
   if (plan.read_mask) slot.mask_readback.start(slot.mask, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
   slot.timer(PassId::readback).end();
+  gl_.Flush();  // or the end is stamped when the driver gets to it, after pass 4
   if (plan.read_ids) slot.ids_readback.wait();
   if (plan.read_mask) slot.mask_readback.wait();
 }
@@ -171,6 +172,7 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   slot.timer(PassId::download).begin();
   picture_readback_.start(picture_, GL_RGBA, GL_FLOAT);
   slot.timer(PassId::download).end();
+  gl_.Flush();
   picture_readback_.wait();
 
   Frame frame;
