@@ -126,7 +126,7 @@ TEST_F(Methods, BlurDiffersFromRaysInFewPixels) {
 // A coarse map errs visibly; the wider the kernel, the more of its errors are put right.
 TEST_F(Methods, WiderKernelsMarkMoreAndErrLess) {
   RenderJob job = orbit_job(kScene, 1, 320, 240);
-  job.settings.shadow_map_px = 128;
+  job.settings.shadow_map_px = 32;
   const auto rays = render_with(job, Method::hybrid, ShadowMode::rays);
   const auto map = render_with(job, Method::hybrid, ShadowMode::map);
   job.settings.blur_kernel_px = 1;
@@ -145,7 +145,7 @@ TEST_F(Methods, WiderKernelsMarkMoreAndErrLess) {
     job.settings.blur_kernel_px = kernel;
     const auto blur = render_with(job, Method::hybrid, ShadowMode::blur);
     EXPECT_GT(blur[0].stats.pixels_marked, marked);
-    EXPECT_LT(wrong_pixels(blur[0]), wrong) << kernel;
+    EXPECT_LE(wrong_pixels(blur[0]), kernel == 3 ? wrong / 2 : wrong) << kernel;
     marked = blur[0].stats.pixels_marked;
     wrong = wrong_pixels(blur[0]);
   }
