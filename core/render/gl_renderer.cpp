@@ -153,14 +153,14 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   if (slot.traced_done.valid()) std::exchange(slot.traced_done, {}).get();
 
   const int width = plan.view.width_px, height = plan.view.height_px;
-  slot.timer(PassId::upload).begin();
+  if (plan.trace()) slot.timer(PassId::upload).begin();
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (plan.trace_shadows)
     gl_.TextureSubImage2D(slot.lit.id(), 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
                           slot.lit_pixels.data());
   if (plan.trace_scattered)
     gl_.TextureSubImage2D(slot.traced.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, slot.traced_pixels.data());
-  slot.timer(PassId::upload).end();
+  if (plan.trace()) slot.timer(PassId::upload).end();
 
   slot.timer(PassId::shade).begin();
   const gl::Texture* mask = plan.trace_shadows ? &slot.lit : plan.shadow_map ? &slot.mask : nullptr;

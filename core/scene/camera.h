@@ -27,8 +27,8 @@ struct Orbit {
 /// The eye `fraction` (0..1) of the way through the orbit.
 Camera camera_on_orbit(const Orbit& orbit, double fraction);
 
-/// An orbit about the middle of the scene's box, slightly from above and as near as the whole scene stays in
-/// view from all around, for a picture `aspect` times as wide as high.
+/// An orbit about the upright axis through the middle of the scene's box, slightly from above and as near as
+/// the whole scene stays in view from all around, for a picture `aspect` times as wide as high.
 Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad);
 
 /// Direction toward the default light: from above, to the left of and behind `camera`. Unit.
