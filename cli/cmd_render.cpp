@@ -163,7 +163,7 @@ ExitCode render(const RenderOptions& options, const OutputOptions& output) {
       stop_requested,
       [&](Frame&& frame) {
         const int number = frame.number;
-        const FrameRequest request{number, camera_at(job.motion, number), job.light};
+        const FrameRequest request = frame_request(job, number);
         const ImageMetadata metadata = {
             {"hybridrt", kVersion},
             {"settings", settings_line(job.settings)},

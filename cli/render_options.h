@@ -4,6 +4,7 @@
 #include "core/base/warnings.h"
 #include "core/render/render_job.h"
 
+#include <optional>
 #include <string>
 
 namespace CLI {
@@ -16,8 +17,10 @@ namespace hybridrt::cli {
 struct RenderOptions {
   std::string scene;
   std::string frames = "1", sequence;
-  std::string eye, target, up, light;  ///< X,Y,Z
-  double fov_deg = 45;
+  std::string camera;                  ///< camera path file
+  std::string eye, target, up, light;  ///< X,Y,Z, in the axes of the scene's files
+  std::string light_follows;           ///< empty or "camera"
+  std::optional<double> fov_deg;       ///< default 45, or what the camera path says
   std::string size = "1024x768";
   Method method = Method::hybrid;
   std::string shadows;  ///< empty: the method's default
