@@ -1,10 +1,12 @@
 #include "cli/render_options.h"
 
 #include "core/base/error.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/scene_source.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 
@@ -111,6 +113,13 @@ RenderSettings make_settings(const RenderOptions& o) {
   return s;
 }
 
+std::optional<UpAxis> parse_up_axis(const RenderOptions& o) {
+  if (o.up_axis.empty()) return std::nullopt;
+  if (o.up_axis != "y" && o.up_axis != "z")
+    throw error(ErrorKind::usage, "--up-axis {}: not known; one of y, z", o.up_axis);
+  return o.up_axis == "y" ? UpAxis::y : UpAxis::z;
+}
+
 FrameRange make_sequence(const RenderOptions& o, const FrameSpec& frames) {
   if (o.sequence.empty()) return {frames.lowest(), frames.highest(), 1};
   const FrameRange sequence = parse_sequence(o.sequence);
@@ -149,9 +158,12 @@ void set_fov(CameraCourse& course, double fov) {
     for (CameraKey& key : path->keys) key.camera.fov_y_rad = fov;
 }
 
-/// The camera that flags ask for, or else the scene's own.
+/// The camera that flags ask for, or else the scene's own, or else an orbit.
 CameraCourse make_course(const RenderOptions& o, const RenderJob& job, UpAxis up_axis, Warnings& warnings) {
   const double fov = fov_y_rad(o);
+  std::optional<CameraCourse> of_scene;
+  if (o.camera.empty() && o.eye.empty() && is_scene_file(o.scene))
+    of_scene = read_scene_file_camera(o.scene, {up_axis, fov}, warnings);
   if (o.eye.empty() && !(o.target.empty() && o.up.empty()))
     throw error(ErrorKind::usage, "--target and --up describe a still camera; give --eye X,Y,Z too");
   if (!o.camera.empty() && !o.eye.empty())
@@ -159,6 +171,8 @@ CameraCourse make_course(const RenderOptions& o, const RenderJob& job, UpAxis up
   CameraCourse course;
   if (!o.camera.empty()) {
     course = read_camera_file(o.camera, {up_axis, fov}, warnings);
+  } else if (of_scene) {
+    course = *of_scene;
   } else {
     const RenderSettings& s = job.settings;
     const Orbit orbit = default_orbit(job.scene, static_cast<double>(s.width_px) / s.height_px, fov);
@@ -169,12 +183,14 @@ CameraCourse make_course(const RenderOptions& o, const RenderJob& job, UpAxis up
   return course;
 }
 
-LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_axis) {
+LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_axis,
+                       const std::optional<DirectionalLight>& of_scene) {
   const int first = job.motion.sequence.first;
   const auto* path = std::get_if<CameraPath>(&job.motion.course);
   const std::optional<dvec3> keyed = path ? light_on_path(*path, first) : std::nullopt;
   LightMotion motion;
-  motion.light.color = vec3(1) - job.scene.ambient;  // a white surface facing it is just white
+  // By default a white surface that faces it is just white.
+  motion.light.color = of_scene ? of_scene->color : glm::max(vec3(1) - job.settings.ambient, vec3(0));
   if (!o.light.empty()) {
     const dvec3 toward = parse_vector("--light", o.light);
     if (toward == dvec3(0)) throw error(ErrorKind::usage, "--light {}: it must not be zero", o.light);
@@ -182,6 +198,8 @@ LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_a
   } else if (keyed) {
     motion.light.toward = *keyed;
     motion.mode = LightMode::with_path;
+  } else if (of_scene) {
+    motion.light.toward = y_up_from_files(up_axis, of_scene->toward);
   } else {
     motion.light.toward = default_light_toward(camera_at(job.motion, first));
   }
@@ -198,9 +216,11 @@ LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_a
 }  // namespace
 
 void add_render_options(CLI::App& app, RenderOptions& o) {
-  app.add_option("scene", o.scene, "OBJ file, or scene:spheres[,triangles=N,reflective=P]")->required()->type_name("SCENE");
+  app.add_option("scene", o.scene, "OBJ, PLY, OFF or STL file, scene .json, or scene:spheres[,triangles=N,reflective=P]")->required()->type_name("SCENE");
 
   const char* camera = "Camera and light";
+  app.add_option("--up-axis", o.up_axis, "y (default) or z: which axis of the scene's files points up. Cameras and "
+                 "lights are given in the files' axes too")->type_name("AXIS")->group(camera);
   app.add_option("--camera", o.camera, "Camera path: keyframes or an orbit, as JSON")->type_name("FILE")->group(camera);
   app.add_option("--eye", o.eye, "Still camera: where it stands (default: an orbit)")->type_name("X,Y,Z")->group(camera);
   app.add_option("--target", o.target, "Still camera: what it looks at (default: the scene's middle)")
@@ -242,11 +262,72 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_flag("--require-hardware", o.require_hardware, "Refuse software renderers")->group(machine);
   app.add_option("--shaders", o.shaders, "Folder to read the shaders from instead of the built-in ones")
       ->type_name("DIR")->group(machine);
+
+  const std::vector<CLI::Option*> ours = app.get_options();
+  app.parse_complete_callback([ours, &o] {
+    o.given.clear();
+    for (const CLI::Option* option : ours) {
+      const std::string name = option->get_name(false, false);
+      if (option->count() == 0 || !name.starts_with("--") || name == "--help") continue;
+      o.given.emplace_back(name, option->results().back());
+    }
+  });
 }
 
-RenderJob make_render_job(const RenderOptions& o, Warnings& warnings) {
+RenderOptions with_scene_settings(const RenderOptions& options) {
+  if (!is_scene_file(options.scene) || options.scene.starts_with("scene:")) return options;
+  const SceneDescription scene = read_scene_file(options.scene);
+  if (scene.settings.empty()) return options;
+
+  // Parsed twice: alone, so that what is wrong is the file's fault, and below what the command line gave.
+  const auto parsed = [](const std::vector<std::pair<std::string, std::string>>& settings, RenderOptions& into) {
+    CLI::App parser;
+    add_render_options(parser, into);
+    std::vector<std::string> arguments;  // CLI11 takes them backwards
+    for (const auto& [name, value] : settings) {
+      const CLI::Option* option = parser.get_option_no_throw(name);
+      if (!option || name == "--help") throw error(ErrorKind::usage, "there is no render option '{}'", name.substr(2));
+      if (option->get_items_expected_max() == 0 && value == "false") continue;
+      arguments.push_back(option->get_items_expected_max() == 0 ? name : name + "=" + value);
+    }
+    arguments.push_back(into.scene);
+    std::reverse(arguments.begin(), arguments.end());
+    parser.parse(arguments);
+  };
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto& [name, value] : scene.settings) all.emplace_back("--" + name, value);
+  try {
+    RenderOptions alone;
+    alone.scene = options.scene;
+    parsed(all, alone);
+    make_settings(alone);
+    parse_frame_spec(alone.frames);
+  } catch (const CLI::ParseError& problem) {
+    throw error(ErrorKind::input, "{}: settings: {}", options.scene, problem.what());
+  } catch (const Error& problem) {
+    throw error(ErrorKind::input, "{}: settings: {}", options.scene, problem.what());
+  }
+  std::erase_if(all, [&](const auto& setting) {
+    return std::any_of(options.given.begin(), options.given.end(),
+                       [&](const auto& given) { return given.first == setting.first; });
+  });
+  all.insert(all.end(), options.given.begin(), options.given.end());
+  RenderOptions merged;
+  merged.scene = options.scene;
+  parsed(all, merged);
+  merged.given = options.given;
+  return merged;
+}
+
+RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings) {
+  const RenderOptions o = with_scene_settings(command_line);
+  const SceneDescription scene = is_scene_file(o.scene) ? read_scene_file(o.scene) : SceneDescription();
+  const std::optional<UpAxis> up_axis = parse_up_axis(o);
+  const UpAxis up = up_axis ? *up_axis : scene.up_axis.value_or(UpAxis::y);
   RenderJob job;
   job.settings = make_settings(o);
+  job.settings.ambient = scene.ambient.value_or(job.settings.ambient);
+  job.settings.background = scene.background.value_or(job.settings.background);
   job.frames = parse_frame_spec(o.frames);
   if (o.threads != 0) require_range("--threads", o.threads, 1, 1024);
   job.threads = o.threads ? o.threads : allowed_processors();
@@ -255,11 +336,10 @@ RenderJob make_render_job(const RenderOptions& o, Warnings& warnings) {
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
 
   ThreadPool pool(job.threads);
-  job.scene = load_scene(o.scene, pool, warnings);
-  const UpAxis up_axis = UpAxis::y;
+  job.scene = load_scene(o.scene, pool, warnings, up_axis);
   job.motion.sequence = make_sequence(o, job.frames);
-  job.motion.course = make_course(o, job, up_axis, warnings);
-  job.light = make_light(o, job, up_axis);
+  job.motion.course = make_course(o, job, up, warnings);
+  job.light = make_light(o, job, up, scene.light);
   return job;
 }
 

@@ -72,12 +72,12 @@ void JsonPlace::fail(const std::string& problem) const {
   throw error(ErrorKind::input, "{}: {}", where_, problem);
 }
 
-void JsonPlace::require_object() const {
+void JsonPlace::only_object() const {
   if (!value_->is_object()) fail("must be an object, like {\"name\": …}");
 }
 
 void JsonPlace::only(std::initializer_list<const char*> keys) const {
-  require_object();
+  only_object();
   for (const auto& [key, ignored] : value_->items()) {
     if (std::find(keys.begin(), keys.end(), std::string_view(key)) != keys.end()) continue;
     std::string known;
@@ -87,7 +87,7 @@ void JsonPlace::only(std::initializer_list<const char*> keys) const {
 }
 
 bool JsonPlace::has(const char* key) const {
-  require_object();
+  only_object();
   return value_->contains(key);
 }
 

@@ -25,6 +25,7 @@ class JsonPlace {
 
   const nlohmann::json& value() const { return *value_; }
   const std::string& where() const { return where_; }
+  void only_object() const;  ///< refuses all else
   bool is_text() const { return value_->is_string(); }
 
   /// Of an object. `only` refuses all keys but these, by name.
@@ -45,8 +46,6 @@ class JsonPlace {
   [[noreturn]] void fail(const std::string& problem) const;
 
  private:
-  void require_object() const;
-
   const nlohmann::json* value_;
   std::string where_;
 };
