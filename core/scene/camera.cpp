@@ -62,6 +62,14 @@ double distance_for(const Silhouette& silhouette, double target_height, const Pi
 
 }  // namespace
 
+bool up_is_along_view(const Camera& camera) {
+  constexpr double kSmallestSine = 1e-6;
+  const double length = glm::length(camera.up);
+  if (!(length > 0)) return true;
+  const dvec3 gaze = glm::normalize(camera.target_world - camera.eye_world);
+  return !(glm::length(camera.up - glm::dot(camera.up, gaze) * gaze) > kSmallestSine * length);
+}
+
 Camera camera_on_orbit(const Orbit& orbit, double fraction) {
   const double azimuth = orbit.from_rad + fraction * (orbit.to_rad - orbit.from_rad);
   Camera camera;

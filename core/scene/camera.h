@@ -13,6 +13,9 @@ struct Camera {
   double fov_y_rad = 0.7853981633974483;  ///< 45 degrees, vertical
 };
 
+/// Whether `up` tells nothing about the picture's upright, so that another one must be taken.
+bool up_is_along_view(const Camera& camera);
+
 /// Where the camera goes: around `target_world` on a circle about the up axis.
 struct Orbit {
   dvec3 target_world{0};
