@@ -115,7 +115,7 @@ class Reporter {
 
  private:
   static void emit(const json& event) {
-    fmt::print("{}\n", event.dump());
+    fmt::print("{}\n", event.dump(-1, ' ', false, json::error_handler_t::replace));
     std::fflush(stdout);
   }
   const bool json_, verbose_;
@@ -191,7 +191,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   if (!output.contact_sheet.empty() && totals.frames > 0)
     sink.submit(output.contact_sheet, sheet.sheet());
   sink.drain();
-  write_file_atomically(paths.report, run_report(options, job, facts, totals, warnings).dump(2) + "\n");
+  write_file_atomically(paths.report, run_report(options, job, facts, totals, warnings).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 
   reporter.end(totals, stop_requested());
   if (!output.json && !output.quiet && paths.timings != "-") {

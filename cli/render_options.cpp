@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/scene_file.h"
+#include "core/render/default_view.h"
 #include "core/scene/scene_source.h"
 
 #include <CLI/CLI.hpp>
@@ -159,7 +160,8 @@ void set_fov(CameraCourse& course, double fov) {
 }
 
 /// The camera that flags ask for, or else the scene's own, or else an orbit.
-CameraCourse make_course(const RenderOptions& o, const RenderJob& job, UpAxis up_axis, Warnings& warnings) {
+CameraCourse make_course(const RenderOptions& o, RenderJob& job, UpAxis up_axis, Surroundings& surroundings,
+                         ThreadPool& pool, Warnings& warnings) {
   const double fov = fov_y_rad(o);
   std::optional<CameraCourse> of_scene;
   if (o.camera.empty() && o.eye.empty() && is_scene_file(o.scene))
@@ -174,23 +176,28 @@ CameraCourse make_course(const RenderOptions& o, const RenderJob& job, UpAxis up
   } else if (of_scene) {
     course = *of_scene;
   } else {
-    const RenderSettings& s = job.settings;
-    const Orbit orbit = default_orbit(job.scene, static_cast<double>(s.width_px) / s.height_px, fov);
-    course = orbit;
-    if (!o.eye.empty()) course = still_camera(o, up_axis, orbit.target_world, warnings);
+    const double aspect = static_cast<double>(job.settings.width_px) / job.settings.height_px;
+    if (o.eye.empty()) {
+      job.caster = make_scene_caster(job.scene, job.accel, pool);
+      const DefaultView view = choose_default_view(job.scene, *job.caster.caster, aspect, fov);
+      surroundings = view.surroundings;
+      course = view.orbit;
+    } else {
+      course = still_camera(o, up_axis, default_orbit(job.scene, aspect, fov).target_world, warnings);
+    }
   }
   if (o.fov_deg || !o.eye.empty()) set_fov(course, fov);
   return course;
 }
 
 LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_axis,
-                       const std::optional<DirectionalLight>& of_scene) {
+                       const std::optional<DirectionalLight>& of_scene, Surroundings surroundings) {
   const int first = job.motion.sequence.first;
   const auto* path = std::get_if<CameraPath>(&job.motion.course);
   const std::optional<dvec3> keyed = path ? light_on_path(*path, first) : std::nullopt;
   LightMotion motion;
-  // By default a white surface that faces it is just white.
-  motion.light.color = of_scene ? of_scene->color : glm::max(vec3(1) - job.settings.ambient, vec3(0));
+  motion.light = default_light(surroundings, camera_at(job.motion, first), job.settings.ambient);
+  if (of_scene) motion.light.color = of_scene->color;
   if (!o.light.empty()) {
     const dvec3 toward = parse_vector("--light", o.light);
     if (toward == dvec3(0)) throw error(ErrorKind::usage, "--light {}: it must not be zero", o.light);
@@ -200,9 +207,10 @@ LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_a
     motion.mode = LightMode::with_path;
   } else if (of_scene) {
     motion.light.toward = y_up_from_files(up_axis, of_scene->toward);
-  } else {
-    motion.light.toward = default_light_toward(camera_at(job.motion, first));
+  } else if (surroundings == Surroundings::inside) {
+    motion.mode = LightMode::with_camera;
   }
+  if (!o.light.empty() || keyed || of_scene) motion.light.casts_shadow = true;
   if (o.light_follows.empty()) return motion;
   if (o.light_follows != "camera")
     throw error(ErrorKind::usage, "--light-follows {}: not known; one of camera", o.light_follows);
@@ -338,8 +346,9 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings)
   ThreadPool pool(job.threads);
   job.scene = load_scene(o.scene, pool, warnings, up_axis);
   job.motion.sequence = make_sequence(o, job.frames);
-  job.motion.course = make_course(o, job, up, warnings);
-  job.light = make_light(o, job, up, scene.light);
+  Surroundings surroundings = Surroundings::outside;
+  job.motion.course = make_course(o, job, up, surroundings, pool, warnings);
+  job.light = make_light(o, job, up, scene.light, surroundings);
   return job;
 }
 

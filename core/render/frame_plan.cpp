@@ -38,9 +38,11 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.near_distance = 1e-5 * std::max(size, 1e-30);
 
   const bool hybrid = settings.method == Method::hybrid;
-  plan.shadow_map = settings.shadows == ShadowMode::map || settings.shadows == ShadowMode::blur;
-  plan.mark = settings.shadows == ShadowMode::blur;
-  plan.trace_shadows = hybrid && (plan.mark || settings.shadows == ShadowMode::rays);
+  const ShadowMode shadows = request.light.casts_shadow ? settings.shadows : ShadowMode::none;
+  plan.shadows = shadows != ShadowMode::none;
+  plan.shadow_map = shadows == ShadowMode::map || shadows == ShadowMode::blur;
+  plan.mark = shadows == ShadowMode::blur;
+  plan.trace_shadows = hybrid && (plan.mark || shadows == ShadowMode::rays);
   plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
 
   const uint32_t from_ids = kAovId | kAovDepth | kAovNormal;

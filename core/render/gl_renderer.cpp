@@ -139,7 +139,7 @@ void GlRenderer::trace(FrameSlot& slot) {
   slot.trace_ms = 0;
   if (!slot.plan.trace()) return;
   const Stopwatch stopwatch;
-  const TraceJob job{scene_, slot.plan.view, slot.plan.light, settings_.shadows != ShadowMode::none,
+  const TraceJob job{scene_, slot.plan.view, slot.plan.light, slot.plan.shadows,
                      settings_.reflection_depth, settings_.ambient, settings_.background};
   TracePixels pixels{slot.read_ids(), slot.read_mask(), {}, {}};
   if (slot.plan.trace_shadows) pixels.lit = slot.lit_pixels;

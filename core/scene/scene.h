@@ -11,6 +11,7 @@ namespace hybridrt {
 struct DirectionalLight {
   dvec3 toward{0, 1, 0};  ///< unit, from the scene toward the light
   vec3 color{1};
+  bool casts_shadow = true;
 };
 
 /// Indexed triangles, filled once and then only read. Positions are floats relative to `origin_world`
