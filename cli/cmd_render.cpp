@@ -139,11 +139,12 @@ class SheetCollector {
   std::vector<Image> cells_;
 };
 
-ExitCode render(const RenderOptions& options, const OutputOptions& output) {
+ExitCode render(const RenderOptions& command_line, const OutputOptions& output) {
   catch_signals();
   Warnings warnings;
   RunTotals totals;
   const Stopwatch loading;
+  const RenderOptions options = with_scene_settings(command_line);
   const RenderJob job = make_render_job(options, warnings);
   totals.load_ms = loading.elapsed_ms();
   const OutputPaths paths = prepare_output(output, options, job);
@@ -165,7 +166,7 @@ ExitCode render(const RenderOptions& options, const OutputOptions& output) {
       stop_requested,
       [&](Frame&& frame) {
         const int number = frame.number;
-        const FrameRequest request{number, camera_at(job.motion, number), job.light};
+        const FrameRequest request = frame_request(job, number);
         const ImageMetadata metadata = {
             {"hybridrt", kVersion},
             {"settings", settings_line(job.settings)},

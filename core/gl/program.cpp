@@ -3,6 +3,7 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -40,6 +41,17 @@ GLenum stage_of(std::string_view file) {
   return GL_COMPUTE_SHADER;
 }
 
+/// A driver's log, which may have many lines, as one.
+std::string one_line(std::string_view log) {
+  std::string line;
+  for (size_t begin = 0; begin < log.size();) {
+    const size_t end = std::min(log.find_first_of("\r\n", begin), log.size());
+    if (end > begin) line += (line.empty() ? "" : "; ") + std::string(log.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return line;
+}
+
 GLuint compile(const Functions& gl, const ShaderSources& sources, std::string_view file) {
   const std::string text = expand_includes(sources, file);
   const char* data = text.c_str();
@@ -52,7 +64,7 @@ GLuint compile(const Functions& gl, const ShaderSources& sources, std::string_vi
   char log[4096] = "";
   gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
   gl.DeleteShader(shader);
-  throw error(ErrorKind::device, "shader {} does not compile: {}", file, log);
+  throw error(ErrorKind::device, "shader {} does not compile: {}", file, one_line(log));
 }
 
 }  // namespace
@@ -93,7 +105,7 @@ Program::Program(const Functions& gl, const ShaderSources& sources, std::initial
     char log[4096] = "";
     gl.GetProgramInfoLog(id_, sizeof log, nullptr, log);
     gl.DeleteProgram(id_);
-    throw error(ErrorKind::device, "shaders {} do not link: {}", name_, log);
+    throw error(ErrorKind::device, "shaders {} do not link: {}", name_, one_line(log));
   }
   gl.ObjectLabel(GL_PROGRAM, id_, static_cast<GLsizei>(name_.size()), name_.c_str());
 }

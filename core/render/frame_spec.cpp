@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace hybridrt {
 namespace {
@@ -42,18 +44,28 @@ FrameRange parse_range(std::string_view item, const std::string& whole) {
   return range;
 }
 
-/// True when both hold one frame.
-bool overlap(const FrameRange& a, const FrameRange& b) {
-  if (last_frame(a) < b.first || last_frame(b) < a.first) return false;
-  const FrameRange& fewer = count_of(a) < count_of(b) ? a : b;
-  const FrameRange& other = count_of(a) < count_of(b) ? b : a;
-  // Whether a frame is in both repeats after other.step steps.
-  const int64_t tries = std::min<int64_t>(count_of(fewer), int64_t{2} * other.step + (int64_t{1} << 20));
-  for (int64_t i = 0; i < tries; ++i) {
-    const int64_t frame = fewer.first + i * fewer.step;
-    if (frame >= other.first && frame <= other.last && (frame - other.first) % other.step == 0) return true;
+/// x with a * x = 1 modulo m; a and m have no common factor. Extended Euclid.
+int64_t inverse(int64_t a, int64_t m) {
+  int64_t x = 1, next_x = 0, r = a % m, next_r = m;
+  while (next_r != 0) {
+    const int64_t quotient = r / next_r;
+    x = std::exchange(next_x, x - quotient * next_x);
+    r = std::exchange(next_r, r - quotient * next_r);
   }
-  return false;
+  return (x % m + m) % m;
+}
+
+/// True when both hold one frame. By the Chinese remainder theorem the frames in both are `common`, then every
+/// lcm(steps)-th.
+bool overlap(const FrameRange& a, const FrameRange& b) {
+  const int64_t divisor = std::gcd(a.step, b.step), apart = int64_t{b.first} - a.first;
+  if (apart % divisor != 0) return false;
+  const int64_t modulus = b.step / divisor, cycle = a.step * modulus;
+  const int64_t steps = ((apart / divisor) % modulus + modulus) % modulus * inverse(a.step / divisor, modulus) % modulus;
+  const int64_t begin = std::max(a.first, b.first), end = std::min(last_frame(a), last_frame(b));
+  int64_t common = a.first + steps * a.step;
+  if (common < begin) common += (begin - common + cycle - 1) / cycle * cycle;
+  return common <= end;
 }
 
 }  // namespace

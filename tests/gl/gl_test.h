@@ -1,0 +1,51 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/gl/context.h"
+#include "core/gl/readback.h"
+
+namespace hybridrt {
+
+/// A test with the best context that the machine has; skipped, with the reason, where it has none.
+class GlTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      context_ = gl::open_context({});
+    } catch (const Error& none) {
+      GTEST_SKIP() << none.what();
+    }
+  }
+  const gl::Context& context() const { return *context_; }
+  const gl::Functions& gl() const { return context_->functions(); }
+
+ private:
+  std::unique_ptr<gl::Context> context_;
+};
+
+/// A texture's pixels, rows tightly packed, row 0 first.
+template <typename Pixel>
+std::vector<Pixel> read_pixels(const gl::Functions& gl, const gl::Texture& texture, int width_px,
+                               int height_px, GLenum format, GLenum type) {
+  std::vector<Pixel> pixels(static_cast<size_t>(width_px) * height_px);
+  gl::Readback readback(gl, pixels.size() * sizeof(Pixel), "test readback");
+  readback.start(texture, format, type);
+  readback.wait();
+  const Pixel* data = static_cast<const Pixel*>(readback.data());
+  std::copy(data, data + pixels.size(), pixels.begin());
+  return pixels;
+}
+
+template <typename Pixel>
+void write_pixels(const gl::Functions& gl, const gl::Texture& texture, int width_px, int height_px,
+                  GLenum format, GLenum type, const std::vector<Pixel>& pixels) {
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TextureSubImage2D(texture.id(), 0, 0, 0, width_px, height_px, format, type, pixels.data());
+  gl::throw_on_error(gl, "test upload");
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,110 @@
+// Shader programs and readback: what the driver reports reaches the user.
+
+#include "core/base/check.h"
+#include "core/gl/program.h"
+#include "gl_test.h"
+
+namespace hybridrt {
+namespace {
+
+class Programs : public GlTest {
+ protected:
+  std::string compile_error(const gl::ShaderSources& sources, std::initializer_list<std::string_view> files) {
+    try {
+      const gl::Program program(gl(), sources, files);
+    } catch (const Error& failure) {
+      EXPECT_EQ(failure.kind(), ErrorKind::device);
+      return failure.what();
+    }
+    ADD_FAILURE() << "it compiled";
+    return "";
+  }
+};
+
+constexpr const char* kEmptyCompute = "#version 450 core\nlayout(local_size_x = 1) in;\nvoid main() {}\n";
+
+TEST_F(Programs, CompilerLogIsPartOfTheError) {
+  const std::string broken =
+      "#version 450 core\nlayout(local_size_x = 1) in;\n\nvoid main() { no_such_name = 1; }\n";
+  const std::string message = compile_error({{"broken.comp", broken}}, {"broken.comp"});
+  EXPECT_NE(message.find("broken.comp"), std::string::npos) << message;
+  EXPECT_NE(message.find("no_such_name"), std::string::npos) << message;
+  EXPECT_NE(message.find('4'), std::string::npos) << "the line is missing: " << message;
+}
+
+// Errors are one line for the user, whatever the driver's log looks like.
+TEST_F(Programs, ErrorsAreOneLine) {
+  const std::string broken =
+      "#version 450 core\nlayout(local_size_x = 1) in;\nvoid main() { first = 1; second = 2; }\n";
+  const std::string message = compile_error({{"broken.comp", broken}}, {"broken.comp"});
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+TEST_F(Programs, LinkerLogIsPartOfTheError) {
+  const gl::ShaderSources sources = {
+      {"a.vert", "#version 450 core\nout vec3 c;\nvoid main() { c = vec3(0); gl_Position = vec4(0); }\n"},
+      {"a.frag", "#version 450 core\nin vec4 c;\nout vec4 o;\nvoid main() { o = c; }\n"}};
+  const std::string message = compile_error(sources, {"a.vert", "a.frag"});
+  EXPECT_NE(message.find("a.vert"), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+TEST_F(Programs, MissingFilesAreNamed) {
+  EXPECT_NE(compile_error({}, {"gone.comp"}).find("gone.comp"), std::string::npos);
+  const gl::ShaderSources includes_nothing = {{"a.comp", "#version 450 core\n#include \"gone.glsl\"\n"}};
+  EXPECT_NE(compile_error(includes_nothing, {"a.comp"}).find("gone.glsl"), std::string::npos);
+}
+
+TEST_F(Programs, UnusedUniformIsOurMistake) {
+  const gl::Program program(gl(), {{"empty.comp", kEmptyCompute}}, {"empty.comp"});
+  EXPECT_THROW(program.set("missing", 1), CheckFailed);
+}
+
+TEST(Includes, AreExpandedOnceAndKeepLineNumbers) {
+  const gl::ShaderSources sources = {{"a.glsl", "A\n#include \"b.glsl\"\nlast\n"},
+                                     {"b.glsl", "B\n"},
+                                     {"c.comp", "#include \"a.glsl\"\n#include \"b.glsl\"\nend\n"}};
+  const std::string text = gl::expand_includes(sources, "c.comp");
+  EXPECT_EQ(text.find("B\n"), text.rfind("B\n")) << text;
+  EXPECT_LT(text.find("A\n"), text.find("B\n"));
+  EXPECT_LT(text.find("B\n"), text.find("last\n"));
+  EXPECT_NE(text.find("#line 3\nend"), std::string::npos) << text;
+}
+
+TEST(EmbeddedShaders, AreTheFilesOfTheSourceTree) {
+  const gl::ShaderSources embedded = gl::embedded_shaders();
+  EXPECT_EQ(embedded, gl::load_shaders(HYBRIDRT_SHADERS));
+  EXPECT_TRUE(embedded.contains("surface.glsl"));
+}
+
+class Readbacks : public GlTest {};
+
+// A driver that delivers nothing leaves the sentinel: that must not become a picture. A texture full of the
+// sentinel's own bytes looks just the same.
+TEST_F(Readbacks, UnwrittenPixelsThrow) {
+  for (const uint32_t pixel : {0u, 0xFFFFFFFFu, 0xFEFEFEFEu}) {
+    const gl::Texture texture(gl(), GL_R32UI, 4, 4, "texture");
+    write_pixels(gl(), texture, 4, 4, GL_RED_INTEGER, GL_UNSIGNED_INT, std::vector<uint32_t>(16, pixel));
+    const auto read = [&] {
+      return read_pixels<uint32_t>(gl(), texture, 4, 4, GL_RED_INTEGER, GL_UNSIGNED_INT);
+    };
+    if (pixel == 0xFEFEFEFEu)
+      EXPECT_THROW(read(), Error);
+    else
+      EXPECT_EQ(read(), std::vector<uint32_t>(16, pixel));
+  }
+}
+
+TEST_F(Readbacks, CanBeReused) {
+  const gl::Texture texture(gl(), GL_R8UI, 3, 5, "texture");
+  gl::Readback readback(gl(), 15, "reused");
+  for (uint8_t value : {1, 2, 3}) {
+    write_pixels(gl(), texture, 3, 5, GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::vector<uint8_t>(15, value));
+    readback.start(texture, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+    readback.wait();
+    for (int i = 0; i < 15; ++i) EXPECT_EQ(static_cast<const uint8_t*>(readback.data())[i], value);
+  }
+}
+
+}  // namespace
+}  // namespace hybridrt
