@@ -157,6 +157,7 @@ Scene load_obj(const std::filesystem::path& path, ThreadPool& pool, Warnings& wa
     throw error(ErrorKind::input, "{} is {:g} units across, which single precision cannot render; scale it",
                 path.string(), size);
   Scene scene;
+  scene.files.push_back(path.string());
   scene.origin_world = choose_origin(box);
   scene.positions.resize(obj.positions.size());
   parallel_for(pool, obj.positions.size(), kGrain, [&](size_t begin, size_t end) {
@@ -169,7 +170,8 @@ Scene load_obj(const std::filesystem::path& path, ThreadPool& pool, Warnings& wa
     throw error(ErrorKind::input, "{}: all of its faces have zero area: nothing to draw", path.string());
   scene.triangle_positions = std::move(obj.triangle_positions);
   take_normals(obj, scene, path, warnings);
-  take_materials(obj, read_libraries(path.parent_path(), obj.libraries, warnings), scene, path, warnings);
+  std::vector<Material> library = read_libraries(path.parent_path(), obj.libraries, scene.files, warnings);
+  take_materials(obj, std::move(library), scene, path, warnings);
   obj = {};
 
   rebuild_missing_normals(scene, pool);
