@@ -1,6 +1,7 @@
 #include "cli/inspection.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -11,10 +12,11 @@ using json = nlohmann::ordered_json;
 
 constexpr size_t kMostComponents = 100;
 
-template <typename Vector>
-json array_of(const Vector& v) {
-  return {v.x, v.y, v.z};
-}
+/// With the digits that a float has: 0.1, not 0.10000000149.
+double shortest(float number) { return std::stod(fmt::format("{}", number)); }
+
+json array_of(const dvec3& v) { return {v.x, v.y, v.z}; }
+json array_of(const vec3& v) { return {shortest(v.x), shortest(v.y), shortest(v.z)}; }
 
 json materials_json(const Inspection& in) {
   json all = json::array();
@@ -27,9 +29,9 @@ json materials_json(const Inspection& in) {
                    {"ks", array_of(m.ks)},
                    {"ke", array_of(m.ke)},
                    {"tf", array_of(m.tf)},
-                   {"ns", m.ns},
-                   {"ni", m.ni},
-                   {"d", m.opacity},
+                   {"ns", shortest(m.ns)},
+                   {"ni", shortest(m.ni)},
+                   {"d", shortest(m.opacity)},
                    {"triangles", in.material_triangles[i]}});
   }
   return all;

@@ -66,6 +66,7 @@ class InspectTest(unittest.TestCase):
         self.assertEqual(components["largest"][0]["volume"], 1)
         self.assertEqual([(m["name"], m["kind"], m["triangles"]) for m in report["materials"]],
                          [("paint", "matte", 10), ("last", "highlight", 2)])
+        self.assertEqual(report["materials"][1]["kd"], [0.2, 0.3, 0.4])
         for what in ("scene", "gpu_scene", "gpu_frames", "accelerator", "topology"):
             self.assertGreater(report["memory_bytes"][what], 0)
         self.assertEqual(report["frame"]["number"], 1)
