@@ -16,6 +16,7 @@
 #include "core/render/fingerprint.h"
 #include "core/render/output_pattern.h"
 #include "core/render/timings_csv.h"
+#include "core/scene/topology_warnings.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -146,6 +147,10 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   const Stopwatch loading;
   const RenderOptions options = with_scene_settings(command_line);
   const RenderJob job = make_render_job(options, warnings);
+  if (refracts(job.scene)) {  // else it is not worth the time: inspect tells
+    ThreadPool pool(job.threads);
+    topology_warnings(job.scene, build_topology(job.scene, pool), warnings);
+  }
   totals.load_ms = loading.elapsed_ms();
   const OutputPaths paths = prepare_output(output, options, job);
 

@@ -4,6 +4,7 @@
 #include "core/scene/material.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace hybridrt {
@@ -28,6 +29,10 @@ struct Scene {
   std::vector<Material> materials;             ///< resolved; at least one
 
   Aabb bounds;                                 ///< of all triangles, scene space
+
+  // Where it came from, for reports.
+  std::vector<std::string> files;              ///< all that were read, in that order
+  size_t built_normal_corners = 0;             ///< corners that got their normal from the faces around
 
   size_t triangle_count() const { return triangle_positions.size(); }
   const Material& material_of(uint32_t triangle) const { return materials[triangle_materials[triangle]]; }
