@@ -12,12 +12,17 @@
 namespace hybridrt {
 
 TimingsCsv::TimingsCsv(const std::string& path) : path_(path) {
+  namespace fs = std::filesystem;
   if (path_ == "-") {
     file_ = stdout;
   } else {
-    const std::filesystem::path final_path(path_);
-    temporary_ = (final_path.parent_path() / fmt::format(".{}.tmp-{}", final_path.filename().string(), getpid())).string();
-    file_ = std::fopen(temporary_.c_str(), "wb");
+    std::error_code problem;  // opening the file says it better
+    const fs::path final_path(path_);
+    if (final_path.has_parent_path()) fs::create_directories(final_path.parent_path(), problem);
+    const bool replaceable = !fs::exists(final_path, problem) || fs::is_regular_file(final_path, problem);
+    if (replaceable)
+      temporary_ = (final_path.parent_path() / fmt::format(".{}.tmp-{}", final_path.filename().string(), getpid())).string();
+    file_ = std::fopen(replaceable ? temporary_.c_str() : path_.c_str(), "wb");
     if (!file_) fail();
   }
   std::string header = "frame";
@@ -30,7 +35,7 @@ TimingsCsv::TimingsCsv(const std::string& path) : path_(path) {
 TimingsCsv::~TimingsCsv() {
   if (!file_ || file_ == stdout) return;
   std::fclose(file_);
-  unlink(temporary_.c_str());
+  if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
 void TimingsCsv::fail() const {
@@ -79,9 +84,15 @@ void TimingsCsv::finish() {
   write_complete_rows();
   if (std::fflush(file_) != 0 || std::ferror(file_)) fail();
   if (file_ == stdout) return;
+  if (temporary_.empty()) {
+    if (std::fclose(std::exchange(file_, nullptr)) != 0) fail();
+    return;
+  }
   if (fsync(fileno(file_)) != 0) fail();
   if (std::fclose(std::exchange(file_, nullptr)) != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    const int reason = errno;
     unlink(temporary_.c_str());
+    errno = reason;
     fail();
   }
 }

@@ -11,10 +11,11 @@ namespace hybridrt {
 
 /// The timings CSV: one row a frame, in the order of delivery, each held back until the frame's files are
 /// written and its write_ms is known. Grows under a temporary name and gets its final one in finish(), so
-/// that a file under that name is whole. Thread-safe.
+/// that a file under that name is whole. A device or pipe has no whole to protect and is written straight.
+/// Thread-safe.
 class TimingsCsv {
  public:
-  /// "-" is standard output. Throws Error(output) when the file cannot be made.
+  /// "-" is standard output. Makes missing folders. Throws Error(output) when the file cannot be made.
   explicit TimingsCsv(const std::string& path);
   ~TimingsCsv();  ///< without finish(): removes the temporary file
   TimingsCsv(const TimingsCsv&) = delete;
@@ -42,7 +43,7 @@ class TimingsCsv {
   [[noreturn]] void fail() const;
 
   std::mutex mutex_;
-  std::string path_, temporary_;
+  std::string path_, temporary_;  ///< no temporary: written straight
   std::FILE* file_ = nullptr;
   std::map<int64_t, std::pair<int, Row>> rows_;  ///< by order of delivery: frame and row
   std::map<int, int64_t> order_of_frame_;
