@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "core/base/atomic_file.h"
+#include "core/base/output_file.h"
 #include "core/base/error.h"
 #include "core/image/compare.h"
 #include "core/image/srgb.h"

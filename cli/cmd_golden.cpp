@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/render_options.h"
-#include "core/base/atomic_file.h"
+#include "core/base/output_file.h"
 #include "core/image_io/encode_image.h"
 #include "core/image_io/read_image.h"
 #include "core/measure/golden.h"

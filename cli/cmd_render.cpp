@@ -9,7 +9,7 @@
 #include "cli/progress.h"
 #include "cli/run_report.h"
 #include "cli/version.h"
-#include "core/base/atomic_file.h"
+#include "core/base/output_file.h"
 #include "core/image/contact_sheet.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/file_sink.h"
@@ -65,7 +65,9 @@ OutputPaths prepare_output(const OutputOptions& options, const RenderOptions& re
                 problem.message());
   paths.timings =
       options.timings.empty() ? (paths.folder / with_range("timings", ".csv", job)).string() : options.timings;
-  const fs::path beside = paths.timings == "-" ? paths.folder : fs::path(paths.timings).parent_path();
+  // Beside the CSV, but not in /dev.
+  const bool is_file = paths.timings != "-" && (!fs::exists(paths.timings) || fs::is_regular_file(paths.timings));
+  const fs::path beside = is_file ? fs::path(paths.timings).parent_path() : paths.folder;
   paths.report = beside / with_range("run", ".json", job);
   return paths;
 }
@@ -137,11 +139,12 @@ class SheetCollector {
   std::vector<Image> cells_;
 };
 
-ExitCode render(const RenderOptions& options, const OutputOptions& output) {
+ExitCode render(const RenderOptions& command_line, const OutputOptions& output) {
   catch_signals();
   Warnings warnings;
   RunTotals totals;
   const Stopwatch loading;
+  const RenderOptions options = with_scene_settings(command_line);
   const RenderJob job = make_render_job(options, warnings);
   totals.load_ms = loading.elapsed_ms();
   const OutputPaths paths = prepare_output(output, options, job);
@@ -163,7 +166,7 @@ ExitCode render(const RenderOptions& options, const OutputOptions& output) {
       stop_requested,
       [&](Frame&& frame) {
         const int number = frame.number;
-        const FrameRequest request{number, camera_at(job.motion, number), job.light};
+        const FrameRequest request = frame_request(job, number);
         const ImageMetadata metadata = {
             {"hybridrt", kVersion},
             {"settings", settings_line(job.settings)},

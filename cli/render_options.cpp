@@ -1,10 +1,12 @@
 #include "cli/render_options.h"
 
 #include "core/base/error.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/scene_source.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 
@@ -111,62 +113,124 @@ RenderSettings make_settings(const RenderOptions& o) {
   return s;
 }
 
-CameraMotion make_motion(const RenderOptions& o, const RenderJob& job) {
-  CameraMotion motion;
-  motion.sequence = {job.frames.lowest(), job.frames.highest(), 1};
-  if (!o.sequence.empty()) {
-    motion.sequence = parse_sequence(o.sequence);
-    if (job.frames.lowest() < motion.sequence.first || job.frames.highest() > motion.sequence.last)
-      throw error(ErrorKind::usage, "--frames {} is not a part of --sequence {}", o.frames, o.sequence);
-  }
-  if (!(o.fov_deg > 0 && o.fov_deg < 180))
-    throw error(ErrorKind::usage, "--fov {}: allowed is more than 0 and less than 180 degrees", o.fov_deg);
-  const double fov_y_rad = o.fov_deg * kPi / 180;
-  const RenderSettings& s = job.settings;
-  motion.orbit = default_orbit(job.scene, static_cast<double>(s.width_px) / s.height_px, fov_y_rad);
-  if (o.eye.empty()) {
-    if (!o.target.empty() || !o.up.empty())
-      throw error(ErrorKind::usage, "--target and --up describe a still camera; give --eye X,Y,Z too");
-    return motion;
-  }
+std::optional<UpAxis> parse_up_axis(const RenderOptions& o) {
+  if (o.up_axis.empty()) return std::nullopt;
+  if (o.up_axis != "y" && o.up_axis != "z")
+    throw error(ErrorKind::usage, "--up-axis {}: not known; one of y, z", o.up_axis);
+  return o.up_axis == "y" ? UpAxis::y : UpAxis::z;
+}
+
+FrameRange make_sequence(const RenderOptions& o, const FrameSpec& frames) {
+  if (o.sequence.empty()) return {frames.lowest(), frames.highest(), 1};
+  const FrameRange sequence = parse_sequence(o.sequence);
+  if (frames.lowest() < sequence.first || frames.highest() > sequence.last)
+    throw error(ErrorKind::usage, "--frames {} is not a part of --sequence {}", o.frames, o.sequence);
+  return sequence;
+}
+
+constexpr double kDefaultFov_deg = 45;
+
+double fov_y_rad(const RenderOptions& o) {
+  const double degrees = o.fov_deg.value_or(kDefaultFov_deg);
+  if (!(degrees > 0 && degrees < 180))
+    throw error(ErrorKind::usage, "--fov {}: allowed is more than 0 and less than 180 degrees", degrees);
+  return degrees * kPi / 180;
+}
+
+/// --eye, --target, --up; `middle` is what to look at when nothing is said.
+Camera still_camera(const RenderOptions& o, UpAxis up_axis, const dvec3& middle, Warnings& warnings) {
   Camera still;
-  still.eye_world = parse_vector("--eye", o.eye);
-  still.target_world = o.target.empty() ? motion.orbit.target_world : parse_vector("--target", o.target);
-  if (!o.up.empty()) still.up = parse_vector("--up", o.up);
+  still.eye_world = y_up_from_files(up_axis, parse_vector("--eye", o.eye));
+  still.target_world = o.target.empty() ? middle : y_up_from_files(up_axis, parse_vector("--target", o.target));
+  if (!o.up.empty()) still.up = y_up_from_files(up_axis, parse_vector("--up", o.up));
   if (still.eye_world == still.target_world)
     throw error(ErrorKind::usage, "--eye and --target are the same point; move one of them");
   if (still.up == dvec3(0)) throw error(ErrorKind::usage, "--up {}: it must not be zero", o.up);
-  still.fov_y_rad = fov_y_rad;
-  motion.still = still;
-  return motion;
+  if (up_is_along_view(still))
+    warnings.push_back("the camera looks along its up direction; another up is used");
+  return still;
 }
 
-DirectionalLight make_light(const RenderOptions& o, const RenderJob& job) {
-  DirectionalLight light;
-  light.color = vec3(1) - job.scene.ambient;  // a white surface facing it is just white
-  if (!o.light.empty()) {
-    light.toward = parse_vector("--light", o.light);
-    if (light.toward == dvec3(0)) throw error(ErrorKind::usage, "--light {}: it must not be zero", o.light);
-    light.toward = glm::normalize(light.toward);
+void set_fov(CameraCourse& course, double fov) {
+  if (auto* still = std::get_if<Camera>(&course)) still->fov_y_rad = fov;
+  if (auto* orbit = std::get_if<Orbit>(&course)) orbit->fov_y_rad = fov;
+  if (auto* path = std::get_if<CameraPath>(&course))
+    for (CameraKey& key : path->keys) key.camera.fov_y_rad = fov;
+}
+
+/// The camera that flags ask for, or else the scene's own, or else an orbit.
+CameraCourse make_course(const RenderOptions& o, const RenderJob& job, UpAxis up_axis, Warnings& warnings) {
+  const double fov = fov_y_rad(o);
+  std::optional<CameraCourse> of_scene;
+  if (o.camera.empty() && o.eye.empty() && is_scene_file(o.scene))
+    of_scene = read_scene_file_camera(o.scene, {up_axis, fov}, warnings);
+  if (o.eye.empty() && !(o.target.empty() && o.up.empty()))
+    throw error(ErrorKind::usage, "--target and --up describe a still camera; give --eye X,Y,Z too");
+  if (!o.camera.empty() && !o.eye.empty())
+    throw error(ErrorKind::usage, "--camera and --eye both say where the camera is; give one of them");
+  CameraCourse course;
+  if (!o.camera.empty()) {
+    course = read_camera_file(o.camera, {up_axis, fov}, warnings);
+  } else if (of_scene) {
+    course = *of_scene;
   } else {
-    light.toward = default_light_toward(camera_at(job.motion, job.motion.sequence.first));
+    const RenderSettings& s = job.settings;
+    const Orbit orbit = default_orbit(job.scene, static_cast<double>(s.width_px) / s.height_px, fov);
+    course = orbit;
+    if (!o.eye.empty()) course = still_camera(o, up_axis, orbit.target_world, warnings);
   }
-  return light;
+  if (o.fov_deg || !o.eye.empty()) set_fov(course, fov);
+  return course;
+}
+
+LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_axis,
+                       const std::optional<DirectionalLight>& of_scene) {
+  const int first = job.motion.sequence.first;
+  const auto* path = std::get_if<CameraPath>(&job.motion.course);
+  const std::optional<dvec3> keyed = path ? light_on_path(*path, first) : std::nullopt;
+  LightMotion motion;
+  // By default a white surface that faces it is just white.
+  motion.light.color = of_scene ? of_scene->color : glm::max(vec3(1) - job.settings.ambient, vec3(0));
+  if (!o.light.empty()) {
+    const dvec3 toward = parse_vector("--light", o.light);
+    if (toward == dvec3(0)) throw error(ErrorKind::usage, "--light {}: it must not be zero", o.light);
+    motion.light.toward = glm::normalize(y_up_from_files(up_axis, toward));
+  } else if (keyed) {
+    motion.light.toward = *keyed;
+    motion.mode = LightMode::with_path;
+  } else if (of_scene) {
+    motion.light.toward = y_up_from_files(up_axis, of_scene->toward);
+  } else {
+    motion.light.toward = default_light_toward(camera_at(job.motion, first));
+  }
+  if (o.light_follows.empty()) return motion;
+  if (o.light_follows != "camera")
+    throw error(ErrorKind::usage, "--light-follows {}: not known; one of camera", o.light_follows);
+  if (motion.mode == LightMode::with_path)
+    throw error(ErrorKind::usage,
+                "--light-follows camera: the camera path's keys move the light already; replace it by --light X,Y,Z");
+  motion.mode = LightMode::with_camera;
+  return motion;
 }
 
 }  // namespace
 
 void add_render_options(CLI::App& app, RenderOptions& o) {
-  app.add_option("scene", o.scene, "OBJ file, or scene:spheres[,triangles=N,reflective=P]")->required()->type_name("SCENE");
+  app.add_option("scene", o.scene, "OBJ, PLY, OFF or STL file, scene .json, or scene:spheres[,triangles=N,reflective=P]")->required()->type_name("SCENE");
 
   const char* camera = "Camera and light";
+  app.add_option("--up-axis", o.up_axis, "y (default) or z: which axis of the scene's files points up. Cameras and "
+                 "lights are given in the files' axes too")->type_name("AXIS")->group(camera);
+  app.add_option("--camera", o.camera, "Camera path: keyframes or an orbit, as JSON")->type_name("FILE")->group(camera);
   app.add_option("--eye", o.eye, "Still camera: where it stands (default: an orbit)")->type_name("X,Y,Z")->group(camera);
   app.add_option("--target", o.target, "Still camera: what it looks at (default: the scene's middle)")
       ->type_name("X,Y,Z")->group(camera);
   app.add_option("--up", o.up, "Still camera: which way is up (default 0,1,0)")->type_name("X,Y,Z")->group(camera);
-  app.add_option("--fov", o.fov_deg, "Vertical field of view (default 45)")->type_name("DEG")->group(camera);
+  app.add_option("--fov", o.fov_deg, "Vertical field of view, replaces a camera path's (default 45)")->type_name("DEG")->group(camera);
   app.add_option("--light", o.light, "Direction toward the light, any length (default: from above, left of and "
-                 "behind the first camera)")->type_name("X,Y,Z")->group(camera);
+                 "behind the first camera); replaces a camera path's")->type_name("X,Y,Z")->group(camera);
+  app.add_option("--light-follows", o.light_follows, "camera: the light keeps its place as seen from the camera "
+                 "(turntables)")->type_name("WHAT")->group(camera);
 
   const char* picture = "Picture";
   app.add_option("--frames", o.frames, "100 (frames 1-100), 1-100, 1-100:5, 1-10,20,30-40 (default 1)")
@@ -198,11 +262,72 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_flag("--require-hardware", o.require_hardware, "Refuse software renderers")->group(machine);
   app.add_option("--shaders", o.shaders, "Folder to read the shaders from instead of the built-in ones")
       ->type_name("DIR")->group(machine);
+
+  const std::vector<CLI::Option*> ours = app.get_options();
+  app.parse_complete_callback([ours, &o] {
+    o.given.clear();
+    for (const CLI::Option* option : ours) {
+      const std::string name = option->get_name(false, false);
+      if (option->count() == 0 || !name.starts_with("--") || name == "--help") continue;
+      o.given.emplace_back(name, option->results().back());
+    }
+  });
 }
 
-RenderJob make_render_job(const RenderOptions& o, Warnings& warnings) {
+RenderOptions with_scene_settings(const RenderOptions& options) {
+  if (!is_scene_file(options.scene) || options.scene.starts_with("scene:")) return options;
+  const SceneDescription scene = read_scene_file(options.scene);
+  if (scene.settings.empty()) return options;
+
+  // Parsed twice: alone, so that what is wrong is the file's fault, and below what the command line gave.
+  const auto parsed = [](const std::vector<std::pair<std::string, std::string>>& settings, RenderOptions& into) {
+    CLI::App parser;
+    add_render_options(parser, into);
+    std::vector<std::string> arguments;  // CLI11 takes them backwards
+    for (const auto& [name, value] : settings) {
+      const CLI::Option* option = parser.get_option_no_throw(name);
+      if (!option || name == "--help") throw error(ErrorKind::usage, "there is no render option '{}'", name.substr(2));
+      if (option->get_items_expected_max() == 0 && value == "false") continue;
+      arguments.push_back(option->get_items_expected_max() == 0 ? name : name + "=" + value);
+    }
+    arguments.push_back(into.scene);
+    std::reverse(arguments.begin(), arguments.end());
+    parser.parse(arguments);
+  };
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto& [name, value] : scene.settings) all.emplace_back("--" + name, value);
+  try {
+    RenderOptions alone;
+    alone.scene = options.scene;
+    parsed(all, alone);
+    make_settings(alone);
+    parse_frame_spec(alone.frames);
+  } catch (const CLI::ParseError& problem) {
+    throw error(ErrorKind::input, "{}: settings: {}", options.scene, problem.what());
+  } catch (const Error& problem) {
+    throw error(ErrorKind::input, "{}: settings: {}", options.scene, problem.what());
+  }
+  std::erase_if(all, [&](const auto& setting) {
+    return std::any_of(options.given.begin(), options.given.end(),
+                       [&](const auto& given) { return given.first == setting.first; });
+  });
+  all.insert(all.end(), options.given.begin(), options.given.end());
+  RenderOptions merged;
+  merged.scene = options.scene;
+  parsed(all, merged);
+  merged.given = options.given;
+  return merged;
+}
+
+RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings) {
+  const RenderOptions o = with_scene_settings(command_line);
+  const SceneDescription scene = is_scene_file(o.scene) ? read_scene_file(o.scene) : SceneDescription();
+  const std::optional<UpAxis> up_axis = parse_up_axis(o);
+  const UpAxis up = up_axis ? *up_axis : scene.up_axis.value_or(UpAxis::y);
   RenderJob job;
   job.settings = make_settings(o);
+  job.settings.ambient = scene.ambient.value_or(job.settings.ambient);
+  job.settings.background = scene.background.value_or(job.settings.background);
   job.frames = parse_frame_spec(o.frames);
   if (o.threads != 0) require_range("--threads", o.threads, 1, 1024);
   job.threads = o.threads ? o.threads : allowed_processors();
@@ -211,9 +336,10 @@ RenderJob make_render_job(const RenderOptions& o, Warnings& warnings) {
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
 
   ThreadPool pool(job.threads);
-  job.scene = load_scene(o.scene, pool, warnings);
-  job.motion = make_motion(o, job);
-  job.light = make_light(o, job);
+  job.scene = load_scene(o.scene, pool, warnings, up_axis);
+  job.motion.sequence = make_sequence(o, job.frames);
+  job.motion.course = make_course(o, job, up, warnings);
+  job.light = make_light(o, job, up, scene.light);
   return job;
 }
 

@@ -4,7 +4,10 @@
 #include "core/base/warnings.h"
 #include "core/render/render_job.h"
 
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -16,8 +19,11 @@ namespace hybridrt::cli {
 struct RenderOptions {
   std::string scene;
   std::string frames = "1", sequence;
-  std::string eye, target, up, light;  ///< X,Y,Z
-  double fov_deg = 45;
+  std::string up_axis;                 ///< "y" or "z"; empty: what the scene says
+  std::string camera;                  ///< camera path file
+  std::string eye, target, up, light;  ///< X,Y,Z, in the axes of the scene's files
+  std::string light_follows;           ///< empty or "camera"
+  std::optional<double> fov_deg;       ///< default 45, or what the camera path says
   std::string size = "1024x768";
   Method method = Method::hybrid;
   std::string shadows;  ///< empty: the method's default
@@ -29,12 +35,19 @@ struct RenderOptions {
   std::string device, shaders;
   bool require_hardware = false;
   std::string aovs;
+
+  /// Names (with dashes) and values of the options that were given, in order; filled by parsing.
+  std::vector<std::pair<std::string, std::string>> given;
 };
 
 /// Adds the options that decide pictures and how they are made (not where they go).
 void add_render_options(CLI::App& app, RenderOptions& options);
 
-/// Reads the scene and turns the options into a job. Throws Error(usage) for values that cannot be,
+/// The options after the `settings` of a scene JSON; what was given on the command line wins. Other scenes say
+/// nothing. Throws Error(input) naming the file for settings that no render option is or takes.
+RenderOptions with_scene_settings(const RenderOptions& options);
+
+/// Reads the scene and turns the options, as with_scene_settings() has them, into a job. Throws Error(usage) for values that cannot be,
 /// Error(input) for the scene.
 RenderJob make_render_job(const RenderOptions& options, Warnings& warnings);
 

@@ -22,7 +22,9 @@ endfunction()
 # Compiler settings. No fused multiply-add behind our back (-ffp-contract=off), or scalar code inside
 # wider SIMD targets rounds differently and pictures depend on the processor.
 function(hybridrt_settings TARGET)
-  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -ffp-contract=off
+                         # A failed check names core/scene/x.cpp, wherever it was built.
+                         -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_options(${TARGET} PRIVATE -march=x86-64-v2)
   endif()

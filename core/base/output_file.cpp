@@ -1,8 +1,9 @@
 #include "core/base/output_file.h"
 
+#include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -13,29 +14,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_of(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+fs::path temporary_beside(const fs::path& target) {
+  static std::atomic<unsigned> counter{0};
+  // A name may fill all of the 255 bytes that file systems allow: leave room for the rest.
+  const std::string name = target.filename().string().substr(0, 200);
+  return target.parent_path() / fmt::format(".{}.tmp-{}-{}", name, ::getpid(), counter++);
 }
 
 }  // namespace
 
 OutputFile::OutputFile(const fs::path& path) : path_(path) {
   std::error_code problem;
-  fs::create_directories(folder_of(path), problem);
-  if (problem) fail("its folder cannot be created", problem.value());
-  // rename() would replace a device node, and cannot replace a folder.
   const fs::file_status there = fs::status(path, problem);
-  if (fs::exists(there) && !fs::is_regular_file(there)) fail("it is not a regular file", 0);
-  if (fs::is_symlink(fs::symlink_status(path, problem))) path_ = fs::canonical(path, problem);
-  if (path_.empty()) path_ = path;  // a dangling link: becomes a file
-
-  temporary_ = folder_of(path_) / fmt::format(".{}.{}.part", path_.filename().string(), ::getpid());
-  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (fs::is_directory(there)) fail("open", EISDIR);
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
+    target_ = path;
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+  } else {
+    target_ = fs::weakly_canonical(path, problem);
+    if (problem || target_.empty()) target_ = path;
+    if (!target_.has_parent_path()) target_ = "." / target_;
+    fs::create_directories(target_.parent_path(), problem);
+    if (problem) fail("make its folder", problem.value());
+    temporary_ = temporary_beside(target_);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  }
   if (descriptor_ < 0) {
     temporary_.clear();
-    fail("it cannot be created", errno);
+    fail("open", errno);
   }
-  buffer_.reserve(kBuffer);
 }
 
 OutputFile::~OutputFile() {
@@ -52,31 +59,46 @@ void OutputFile::write_through(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail("writing failed", errno);
-    written_ += count;
-    bytes.remove_prefix(count);
+    if (count < 0) fail("write", errno);
+    written_ += static_cast<uint64_t>(count);
+    bytes.remove_prefix(static_cast<size_t>(count));
   }
 }
 
 void OutputFile::commit() {
   flush();
-  if (::fsync(descriptor_) != 0) fail("writing failed", errno);
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail("writing failed", errno);
-  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("it cannot be put in place", errno);
+  if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail("fsync", errno);
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail("close", errno);  // NFS writes late
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename", errno);
   temporary_.clear();
-  // The new name itself survives a power cut once the folder is on disk; some file systems cannot, and need
-  // not.
-  const int folder = ::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder >= 0) {
-    ::fsync(folder);
-    ::close(folder);
-  }
+  sync_folder();
 }
 
-void OutputFile::fail(const char* what, int reason) {
-  if (reason == 0) throw error(ErrorKind::output, "{} could not be written: {}", path_.string(), what);
-  throw error(ErrorKind::output, "{} could not be written: {}: {}", path_.string(), what,
-              std::strerror(reason));
+/// Without this the rename itself may be lost with the power. Some file systems refuse it for folders, and
+/// some folders may be written but not read.
+void OutputFile::sync_folder() {
+  const int folder = ::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  const bool synced = ::fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP;
+  const int reason = errno;
+  ::close(folder);
+  if (!synced) fail("fsync of the folder", reason);
+}
+
+void OutputFile::fail(const char* step, int reason) const {
+  throw error(ErrorKind::output, "cannot write {}: {}: {}; check the folder, its permissions and its free space",
+              path_.string(), step, std::generic_category().message(reason));
+}
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+  write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+void write_file_atomically(const fs::path& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
 }
 
 }  // namespace hybridrt

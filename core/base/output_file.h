@@ -1,18 +1,23 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace hybridrt {
 
-/// A file that appears under its final name only when it is whole: written beside it under a temporary
-/// name, then fsync and rename. Missing folders are created. An existing file is replaced. Unless
-/// commit() was called and returned, nothing is left behind (a killed process may leave the temporary).
+/// A file that appears under its final name only when it is whole: a hidden temporary beside it
+/// (`.NAME.tmp-PID-N`), fsync, rename. Whoever looks at the final name, at any moment and after a crash, finds
+/// the old file, none, or the new one complete. Missing folders are created, a symbolic link is followed, not
+/// replaced; a device or pipe (/dev/stdout) has no whole to protect and is written straight. Without
+/// commit(), nothing is left behind (a killed process may leave the temporary).
 ///
-/// Every function throws Error (output), naming the file and the reason: disk full, read-only, a folder
-/// or device where the file should go. Not thread-safe. Neither copied nor moved.
+/// Every function throws Error (output), naming the file and the system's reason. Under a file size limit the
+/// process must ignore SIGXFSZ for that. Several may be open for the same path, in any thread; the last one
+/// to commit wins. One object belongs to one thread at a time.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
@@ -35,12 +40,18 @@ class OutputFile {
 
   void flush();
   void write_through(std::string_view bytes);
-  [[noreturn]] void fail(const char* what, int reason);
+  void sync_folder();
+  [[noreturn]] void fail(const char* step, int reason) const;
 
-  std::filesystem::path path_, temporary_;
+  const std::filesystem::path path_;           ///< as the caller named it
+  std::filesystem::path target_, temporary_;  ///< no temporary: `target_` is written straight
   int descriptor_ = -1;
   std::string buffer_;
   uint64_t written_ = 0;
 };
+
+/// The whole file at once.
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace hybridrt

@@ -1,6 +1,5 @@
 #include "core/passes/id_buffer.h"
 
-#include "core/passes/shadow_map.h"
 #include "shaders/shared.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -47,7 +46,7 @@ void ShadowTestPass::run(const In& in, const Out& out) const {
   program_.use();
   set_view_uniforms(program_, in.view);
   program_.set("light_texture_from_eye",
-               mat4(shadow_map_from_scene(in.light) * glm::translate(dmat4(1), in.view.eye)));
+               mat4(in.light.unit_from_scene() * glm::translate(dmat4(1), in.view.eye)));
   program_.set("to_light", vec3(in.light.toward));
   program_.set("texel_depth", static_cast<float>(texel / box.z));
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);

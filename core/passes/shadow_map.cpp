@@ -5,8 +5,6 @@ namespace hybridrt {
 ShadowMapPass::ShadowMapPass(const gl::Functions& gl, const gl::ShaderSources& shaders)
     : gl_(gl), program_(gl, shaders, {"shadow_map.vert"}) {}
 
-dmat4 shadow_map_from_scene(const LightFrame& light) { return light.unit_from_scene(); }
-
 void ShadowMapPass::run(const In& in, const Out& out) const {
   const gl::Functions& gl = gl_;
   const float farthest = 1;
@@ -23,7 +21,7 @@ void ShadowMapPass::run(const In& in, const Out& out) const {
   clip_from_unit[0][0] = clip_from_unit[1][1] = 2;
   clip_from_unit[3][0] = clip_from_unit[3][1] = -1;
   program_.use();
-  program_.set("light_clip_from_scene", mat4(clip_from_unit * shadow_map_from_scene(in.light)));
+  program_.set("light_clip_from_scene", mat4(clip_from_unit * in.light.unit_from_scene()));
   in.scene.draw(gl);
   gl::throw_on_error(gl, "pass 1, shadow map");
 }

@@ -15,6 +15,7 @@ struct ShadowMapPass {
     const LightFrame& light;
     int size_px;
   };
+  /// Texture coordinates and depth in the map are in.light.unit_from_scene() of a position.
   struct Out {
     const gl::Framebuffer& depth;  ///< DEPTH_COMPONENT32F, size_px square, 0 at the light, 1 farthest
   };
@@ -24,8 +25,5 @@ struct ShadowMapPass {
   const gl::Functions& gl_;
   gl::Program program_;
 };
-
-/// Texture coordinates (x, y) and depth in that map, each 0..1, from a scene-space position.
-dmat4 shadow_map_from_scene(const LightFrame& light);
 
 }  // namespace hybridrt

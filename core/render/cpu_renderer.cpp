@@ -17,7 +17,8 @@ void render_on_cpu(const Scene& scene, const RenderSettings& settings, const Ray
   Stopwatch since_last_frame;
   while (const std::optional<FrameRequest> request = next()) {
     const FramePlan plan = make_frame_plan(scene, facts, *request, settings);
-    const TraceJob job{scene, plan.view, plan.light, settings.shadows != ShadowMode::none, settings.reflection_depth};
+    const TraceJob job{scene, plan.view, plan.light, settings.shadows != ShadowMode::none, settings.reflection_depth,
+                       settings.ambient, settings.background};
     const Stopwatch tracing;
     Frame frame;
     frame.number = plan.number;

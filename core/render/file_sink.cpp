@@ -1,29 +1,14 @@
 #include "core/render/file_sink.h"
 
 #include <span>
-#include <system_error>
 #include <utility>
 
-#include "core/base/atomic_file.h"
 #include "core/base/check.h"
-#include "core/base/error.h"
+#include "core/base/output_file.h"
 #include "core/base/timing.h"
 
 namespace hybridrt {
 namespace fs = std::filesystem;
-namespace {
-
-void make_folder(const fs::path& path) {
-  const fs::path folder = path.parent_path();
-  if (folder.empty()) return;
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem)
-    throw error(ErrorKind::output, "cannot make the folder {} for {}: {}; choose another output",
-                folder.string(), path.filename().string(), problem.message());
-}
-
-}  // namespace
 
 FileSink::FileSink(EncodeFunction encode, int workers, size_t max_queued)
     : encode_(std::move(encode)), max_queued_(max_queued) {
@@ -90,7 +75,6 @@ void FileSink::work() {
 
 void FileSink::write(const Job& job) {
   const Stopwatch stopwatch;
-  make_folder(job.path);
   const std::vector<unsigned char> bytes = encode_(job.image, job.path, job.metadata);
   write_file_atomically(job.path, std::as_bytes(std::span(bytes)));
   if (!job.done) return;

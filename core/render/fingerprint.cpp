@@ -60,8 +60,6 @@ uint64_t fingerprint(const Scene& scene) {
     for (double x : {static_cast<double>(m.ns), static_cast<double>(m.ni), static_cast<double>(m.opacity)}) hash.value(x);
     hash.word(static_cast<uint64_t>(m.fresnel));
   }
-  hash.vector(scene.ambient);
-  hash.vector(scene.background);
   return hash.state;
 }
 
@@ -70,7 +68,7 @@ uint64_t fingerprint(uint64_t scene, const FrameRequest& request, const RenderSe
   const Camera& c = request.camera;
   for (const dvec3& v : {c.eye_world, c.target_world, c.up, request.light.toward}) hash.vector(v);
   hash.value(c.fov_y_rad);
-  hash.vector(request.light.color);
+  for (const vec3& color : {request.light.color, s.ambient, s.background}) hash.vector(color);
   for (int x : {s.width_px, s.height_px, static_cast<int>(s.method), static_cast<int>(s.shadows), s.blur_kernel_px,
                 s.shadow_map_px, s.reflection_depth})
     hash.word(static_cast<uint64_t>(x));

@@ -129,6 +129,7 @@ void GlRenderer::rasterize(FrameSlot& slot) {
   if (plan.read_ids) slot.ids_readback.start(slot.ids, GL_RED_INTEGER, GL_UNSIGNED_INT);
   if (plan.read_mask) slot.mask_readback.start(slot.mask, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
   slot.timer(PassId::readback).end();
+  gl_.Flush();  // or the end is stamped when the driver gets to it, after pass 4
   if (plan.read_ids) slot.ids_readback.wait();
   if (plan.read_mask) slot.mask_readback.wait();
 }
@@ -139,7 +140,7 @@ void GlRenderer::trace(FrameSlot& slot) {
   if (!slot.plan.trace()) return;
   const Stopwatch stopwatch;
   const TraceJob job{scene_, slot.plan.view, slot.plan.light, settings_.shadows != ShadowMode::none,
-                     settings_.reflection_depth};
+                     settings_.reflection_depth, settings_.ambient, settings_.background};
   TracePixels pixels{slot.read_ids(), slot.read_mask(), {}, {}};
   if (slot.plan.trace_shadows) pixels.lit = slot.lit_pixels;
   if (slot.plan.trace_scattered) pixels.traced = slot.traced_pixels;
@@ -164,13 +165,14 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   slot.timer(PassId::shade).begin();
   const gl::Texture* mask = plan.trace_shadows ? &slot.lit : plan.shadow_map ? &slot.mask : nullptr;
   shade_pass_.run({scene_gpu_, plan.view, slot.ids, mask, plan.trace_scattered ? &slot.traced : nullptr,
-                   plan.light.toward, plan.light.color, scene_.ambient, scene_.background},
+                   plan.light.toward, plan.light.color, settings_.ambient, settings_.background},
                   {picture_});
   slot.timer(PassId::shade).end();
 
   slot.timer(PassId::download).begin();
   picture_readback_.start(picture_, GL_RGBA, GL_FLOAT);
   slot.timer(PassId::download).end();
+  gl_.Flush();
   picture_readback_.wait();
 
   Frame frame;

@@ -42,10 +42,8 @@ OwnedCaster<double> make_reference(const RenderJob& job, ThreadPool& pool, RunFa
 
 }  // namespace
 
-Camera camera_at(const CameraMotion& motion, int frame) {
-  if (motion.still) return *motion.still;
-  const double length = static_cast<double>(motion.sequence.last) - motion.sequence.first + 1;
-  return camera_on_orbit(motion.orbit, (static_cast<double>(frame) - motion.sequence.first) / length);
+FrameRequest frame_request(const RenderJob& job, int frame) {
+  return {frame, camera_at(job.motion, frame), light_at(job.light, job.motion, frame)};
 }
 
 RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& starting,
@@ -58,7 +56,7 @@ RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& s
     if (stop()) return std::nullopt;
     const std::optional<int> number = cursor.next();
     if (!number) return std::nullopt;
-    return FrameRequest{*number, camera_at(job.motion, *number), job.light};
+    return frame_request(job, *number);
   };
   const auto ready = [&] {
     facts.ready_ms = preparing.elapsed_ms();

@@ -4,19 +4,12 @@
 #include "core/gl/program.h"
 #include "core/render/frame.h"
 #include "core/render/frame_spec.h"
+#include "core/render/motion.h"
 
 #include <functional>
 #include <string>
 
 namespace hybridrt {
-
-/// Where the camera is at each frame.
-struct CameraMotion {
-  std::optional<Camera> still;  ///< else the orbit, once around over `sequence`
-  Orbit orbit;
-  FrameRange sequence;          ///< the whole that a frame's number is relative to
-};
-Camera camera_at(const CameraMotion& motion, int frame);
 
 /// All that decides a run, once everything asked for has been read.
 struct RenderJob {
@@ -24,12 +17,15 @@ struct RenderJob {
   RenderSettings settings;
   FrameSpec frames;
   CameraMotion motion;
-  DirectionalLight light;
+  LightMotion light;
   Accel accel = Accel::embree;
   int threads = 1;
   gl::ContextRequest gl;      ///< its `threads` is set from `threads`
   gl::ShaderSources shaders;  ///< for the methods that use GL
 };
+
+/// Camera and light of a frame.
+FrameRequest frame_request(const RenderJob& job, int frame);
 
 /// What a run turned out to be.
 struct RunFacts {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/math.h"
+
 #include <cstdint>
 #include <string_view>
 
@@ -33,6 +35,8 @@ struct RenderSettings {
   int reflection_depth = 4;  ///< generations after the primary one
   int frames_in_flight = 2;
   uint32_t aovs = 0;         ///< Aov bits
+  vec3 ambient{0.15f};       ///< light from everywhere, times Kd; linear
+  vec3 background{0.7f};     ///< linear
 };
 
 /// Throws Error(usage) unless the method knows the shadows (the table in the documentation).

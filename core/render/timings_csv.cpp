@@ -1,45 +1,15 @@
 #include "core/render/timings_csv.h"
 
-#include "core/base/error.h"
-
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 
 namespace hybridrt {
 
-TimingsCsv::TimingsCsv(const std::string& path) : path_(path) {
-  namespace fs = std::filesystem;
-  if (path_ == "-") {
-    file_ = stdout;
-  } else {
-    std::error_code problem;  // opening the file says it better
-    const fs::path final_path(path_);
-    if (final_path.has_parent_path()) fs::create_directories(final_path.parent_path(), problem);
-    const bool replaceable = !fs::exists(final_path, problem) || fs::is_regular_file(final_path, problem);
-    if (replaceable)
-      temporary_ = (final_path.parent_path() / fmt::format(".{}.tmp-{}", final_path.filename().string(), getpid())).string();
-    file_ = std::fopen(replaceable ? temporary_.c_str() : path_.c_str(), "wb");
-    if (!file_) fail();
-  }
+TimingsCsv::TimingsCsv(const std::string& path) : file_(path == "-" ? "/dev/stdout" : path) {
   std::string header = "frame";
   for (std::string_view pass : kPassNames) header += fmt::format(",{}_ms", pass);
   header += ",wall_ms,pixels_hit,pixels_marked,pixels_reflective,pixels_refractive,shadow_rays,reflection_rays,"
             "refraction_rays,shadow_cpu_ms,secondary_cpu_ms,primary_shadow_rays\n";
-  std::fputs(header.c_str(), file_);
-}
-
-TimingsCsv::~TimingsCsv() {
-  if (!file_ || file_ == stdout) return;
-  std::fclose(file_);
-  if (!temporary_.empty()) unlink(temporary_.c_str());
-}
-
-void TimingsCsv::fail() const {
-  throw error(ErrorKind::output, "{}: cannot write the timings: {}", path_, std::strerror(errno));
+  file_.write(header);
 }
 
 void TimingsCsv::add(const Frame& frame, int files) {
@@ -76,25 +46,13 @@ void TimingsCsv::write_row(int frame, const Row& row) {
   line += fmt::format(",{:.3f},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", timings.wall_ms, s.pixels_hit,
                       s.pixels_marked, s.pixels_reflective, s.pixels_refractive, s.shadow_rays, s.reflection_rays,
                       s.refraction_rays, s.shadow_cpu_ms, s.secondary_cpu_ms, s.primary_shadow_rays);
-  std::fputs(line.c_str(), file_);
+  file_.write(line);
 }
 
 void TimingsCsv::finish() {
   std::lock_guard lock(mutex_);
   write_complete_rows();
-  if (std::fflush(file_) != 0 || std::ferror(file_)) fail();
-  if (file_ == stdout) return;
-  if (temporary_.empty()) {
-    if (std::fclose(std::exchange(file_, nullptr)) != 0) fail();
-    return;
-  }
-  if (fsync(fileno(file_)) != 0) fail();
-  if (std::fclose(std::exchange(file_, nullptr)) != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    const int reason = errno;
-    unlink(temporary_.c_str());
-    errno = reason;
-    fail();
-  }
+  file_.commit();
 }
 
 }  // namespace hybridrt

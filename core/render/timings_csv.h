@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/output_file.h"
 #include "core/render/frame.h"
 
-#include <cstdio>
 #include <map>
 #include <mutex>
 #include <string>
@@ -10,16 +10,11 @@
 namespace hybridrt {
 
 /// The timings CSV: one row a frame, in the order of delivery, each held back until the frame's files are
-/// written and its write_ms is known. Grows under a temporary name and gets its final one in finish(), so
-/// that a file under that name is whole. A device or pipe has no whole to protect and is written straight.
-/// Thread-safe.
+/// written and its write_ms is known. The file appears in finish(), whole. Thread-safe.
 class TimingsCsv {
  public:
-  /// "-" is standard output. Makes missing folders. Throws Error(output) when the file cannot be made.
+  /// "-" is standard output. Throws Error(output) when the file cannot be made.
   explicit TimingsCsv(const std::string& path);
-  ~TimingsCsv();  ///< without finish(): removes the temporary file
-  TimingsCsv(const TimingsCsv&) = delete;
-  TimingsCsv& operator=(const TimingsCsv&) = delete;
 
   /// `files`: how many file_written() calls will follow for this frame.
   void add(const Frame& frame, int files);
@@ -28,7 +23,7 @@ class TimingsCsv {
   /// Sum of all write_ms so far.
   double written_ms() const { return written_ms_; }
 
-  /// Writes what is complete and renames the file. Throws Error(output).
+  /// Makes the file appear. Throws Error(output).
   void finish();
 
  private:
@@ -40,11 +35,9 @@ class TimingsCsv {
   };
   void write_complete_rows();
   void write_row(int frame, const Row& row);
-  [[noreturn]] void fail() const;
 
   std::mutex mutex_;
-  std::string path_, temporary_;  ///< no temporary: written straight
-  std::FILE* file_ = nullptr;
+  OutputFile file_;
   std::map<int64_t, std::pair<int, Row>> rows_;  ///< by order of delivery: frame and row
   std::map<int, int64_t> order_of_frame_;
   int64_t delivered_ = 0;

@@ -1,6 +1,7 @@
 #include "core/scene/camera.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace hybridrt {
@@ -61,12 +62,21 @@ double distance_for(const Silhouette& silhouette, double target_height, const Pi
 
 }  // namespace
 
+bool up_is_along_view(const Camera& camera) {
+  constexpr double kSmallestSine = 1e-6;
+  const double length = glm::length(camera.up);
+  if (!(length > 0)) return true;
+  const dvec3 gaze = glm::normalize(camera.target_world - camera.eye_world);
+  return !(glm::length(camera.up - glm::dot(camera.up, gaze) * gaze) > kSmallestSine * length);
+}
+
 Camera camera_on_orbit(const Orbit& orbit, double fraction) {
   const double azimuth = orbit.from_rad + fraction * (orbit.to_rad - orbit.from_rad);
   Camera camera;
   camera.target_world = orbit.target_world;
   camera.eye_world = orbit.target_world +
                      dvec3(std::sin(azimuth) * orbit.radius, orbit.height, std::cos(azimuth) * orbit.radius);
+  if (orbit.outward) std::swap(camera.eye_world, camera.target_world);
   camera.fov_y_rad = orbit.fov_y_rad;
   return camera;
 }

@@ -13,6 +13,9 @@ struct Camera {
   double fov_y_rad = 0.7853981633974483;  ///< 45 degrees, vertical
 };
 
+/// Whether `up` tells nothing about the picture's upright, so that another one must be taken.
+bool up_is_along_view(const Camera& camera);
+
 /// Where the camera goes: around `target_world` on a circle about the up axis.
 struct Orbit {
   dvec3 target_world{0};
@@ -21,6 +24,7 @@ struct Orbit {
   double from_rad = 0;       ///< azimuth of the first frame: 0 looks along -z, growing toward +x
   double to_rad = 2 * kPi;   ///< azimuth where the turn ends; the last frame stops one step short of it
   double fov_y_rad = 0.7853981633974483;
+  bool outward = false;      ///< the eye stands at `target_world` and looks to where it would otherwise stand
 };
 
 /// The eye `fraction` (0..1) of the way through the orbit.

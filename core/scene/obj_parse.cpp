@@ -23,7 +23,7 @@ struct Builder {
   explicit Builder(const ObjFilter& obj_filter) : filter(obj_filter) {}
 
   const ObjFilter& filter;
-  ObjData data;
+  MeshData data;
   std::unordered_map<std::string, uint32_t> material_ids;
   uint32_t material = 0;
   Tally tangled;
@@ -55,14 +55,7 @@ void add_vertex(void* user, double x, double y, double z, double) {
 
 void add_normal(void* user, double x, double y, double z) {
   auto& b = *static_cast<Builder*>(user);
-  const dvec3 n(x, y, z);
-  vec3 unit(n);
-  const double square = glm::dot(dvec3(unit), dvec3(unit));
-  if (!(std::abs(square - 1) < 1e-6)) {  // else it is unit to float precision, and stays bit by bit
-    const double length = glm::length(n);
-    unit = length > 1e-30 && std::isfinite(length) ? vec3(n / length) : vec3(0);
-  }
-  b.data.normals.push_back(unit);
+  b.data.normals.push_back(usable_normal(dvec3(x, y, z)));
 }
 
 void set_material(void* user, const char* rest_of_line, int) {
@@ -83,7 +76,7 @@ uint32_t resolved(int index, size_t count) {
 
 void append_triangle(Builder& b, const Builder::Corner& p, const Builder::Corner& q,
                      const Builder::Corner& r) {
-  ObjData& data = b.data;
+  MeshData& data = b.data;
   const bool has_normal = p.normal != kNoIndex || q.normal != kNoIndex || r.normal != kNoIndex;
   if (has_normal && data.triangle_normals.empty())
     data.triangle_normals.resize(data.triangle_positions.size(), uvec3(kNoIndex));
@@ -91,7 +84,7 @@ void append_triangle(Builder& b, const Builder::Corner& p, const Builder::Corner
   if (has_normal || !data.triangle_normals.empty())
     data.triangle_normals.emplace_back(p.normal, q.normal, r.normal);
   data.triangle_materials.push_back(b.material);
-  data.triangle_lines.push_back(static_cast<uint32_t>(b.filter.line()));
+  data.triangle_places.push_back(static_cast<uint32_t>(b.filter.line()));
 }
 
 /// Cuts `corners`, whose positions are all known, into b.cuts.
@@ -138,13 +131,13 @@ void cut_waiting_polygons(Builder& b) {
 
 }  // namespace
 
-ObjData parse_obj(const std::filesystem::path& path, Warnings& warnings) {
+MeshData parse_obj(const std::filesystem::path& path, Warnings& warnings) {
   ObjFilter filter(path);
   std::istream stream(&filter);
   stream.exceptions(std::ios::badbit);  // so that an Error thrown by the filter reaches our caller
 
   Builder builder(filter);
-  builder.data.material_names.emplace_back();
+  builder.data.path = path;
   builder.material_ids.emplace("", 0);
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = add_vertex;

@@ -26,9 +26,6 @@ struct Scene {
   std::vector<uint32_t> triangle_materials;    ///< index into `materials`
   std::vector<Material> materials;             ///< resolved; at least one
 
-  vec3 ambient{0.15f};                         ///< times Kd
-  vec3 background{0.7f};
-
   Aabb bounds;                                 ///< of all triangles, scene space
 
   size_t triangle_count() const { return triangle_positions.size(); }

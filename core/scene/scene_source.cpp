@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/scene/obj_io.h"
+#include "core/scene/mesh_io.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/spheres.h"
 #include "core/scene/text_scan.h"
 
@@ -57,21 +58,27 @@ Scene make_procedural(const std::string& argument) {
 
 }  // namespace
 
-Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings) {
-  if (scene_argument.starts_with(kPrefix)) return make_procedural(scene_argument);
-
+Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings,
+                 std::optional<UpAxis> up_axis) {
+  if (scene_argument.starts_with(kPrefix)) {
+    if (up_axis.value_or(UpAxis::y) != UpAxis::y)
+      throw error(ErrorKind::usage, "{}: its y axis points up; leave --up-axis out", scene_argument);
+    return make_procedural(scene_argument);
+  }
   const std::filesystem::path path(scene_argument);
   std::error_code unreachable;
   if (!std::filesystem::exists(path, unreachable))
-    throw error(ErrorKind::input, "{} does not exist; SCENE is an .obj file or scene:spheres",
-                scene_argument);
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (extension != ".obj" && !std::filesystem::is_directory(path, unreachable))
-    throw error(ErrorKind::input, "{}: {} files are not supported yet, only .obj; convert it to OBJ",
-                scene_argument, extension.empty() ? "such" : extension);
-  return load_obj(path, pool, warnings);
+    throw error(ErrorKind::input, "{} does not exist; SCENE is a {} file, a scene .json or scene:spheres",
+                scene_argument, kMeshFormats);
+  if (is_scene_file(path)) {
+    const SceneDescription description = read_scene_file(path);
+    const UpAxis up = up_axis ? *up_axis : description.up_axis.value_or(UpAxis::y);
+    return load_meshes(description.meshes, up, pool, warnings);
+  }
+  if (!is_mesh_file(path) && !std::filesystem::is_directory(path, unreachable))
+    throw error(ErrorKind::input, "{}: {} files are not read, only {} and scene .json; convert it to one of these",
+                scene_argument, path.has_extension() ? path.extension().string() : "such", kMeshFormats);
+  return load_meshes({&path, 1}, up_axis.value_or(UpAxis::y), pool, warnings);
 }
 
 }  // namespace hybridrt

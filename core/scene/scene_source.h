@@ -1,17 +1,21 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
 #include "core/scene/scene.h"
+#include "core/scene/up_axis.h"
 
 namespace hybridrt {
 
-/// The scene that a command's SCENE argument means: the path of an .obj file (load_obj), or a procedural
-/// one: `scene:spheres`, with `,triangles=N` and `,reflective=P` behind it (make_spheres).
+/// The scene that a command's SCENE argument means: the path of a mesh file or of a scene JSON that names
+/// several (load_meshes), or a procedural one: `scene:spheres`, with `,triangles=N` and `,reflective=P` behind it (make_spheres).
 /// Throws Error: usage for an unknown scene name, key or value, naming what is allowed; input for a file
-/// that is missing or of a kind we do not read, and whatever load_obj() throws.
-Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings);
+/// that is missing or of a kind we do not read, and whatever load_meshes() and read_scene_file() throw.
+/// `up_axis` replaces what a scene JSON says; procedural scenes have y up and take no other.
+Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings,
+                 std::optional<UpAxis> up_axis = std::nullopt);
 
 }  // namespace hybridrt

@@ -68,10 +68,10 @@ struct Tally {
 
 /// "sports.obj: 57 triangles of zero area were left out (first at line 1234)", unless there were none.
 inline void report(const Tally& tally, std::string_view what, const std::filesystem::path& file,
-                   Warnings& warnings) {
+                   Warnings& warnings, std::string_view place = "line") {
   if (tally.count > 0)
-    warnings.push_back(fmt::format("{}: {} {} (first at line {})", file.filename().string(), tally.count,
-                                   what, tally.first_line));
+    warnings.push_back(fmt::format("{}: {} {} (first at {} {})", file.filename().string(), tally.count, what,
+                                   place, tally.first_line));
 }
 
 }  // namespace hybridrt

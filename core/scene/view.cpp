@@ -21,9 +21,8 @@ View make_view(const Camera& camera, const dvec3& scene_origin_world, int width_
     throw Error(ErrorKind::input, "the camera's eye and target are the same point; move one of them");
   view.forward = gaze / distance;
 
-  constexpr double kSmallestSine = 1e-6;
   dvec3 up = perpendicular_part(camera.up, view.forward);
-  if (!(glm::length(up) > kSmallestSine * glm::length(camera.up)))
+  if (up_is_along_view(camera))
     up = perpendicular_part(std::abs(view.forward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(0, 0, -1), view.forward);
   view.up = glm::normalize(up);
   view.right = glm::cross(view.forward, view.up);

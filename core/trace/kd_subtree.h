@@ -15,6 +15,7 @@ namespace hybridrt {
 struct KdCell {
   Aabb box;
   int depth = 0;
+  int gainless = 0;         ///< divisions above it that were made against the heuristic's advice
   double budget_bytes = 0;  ///< left for the nodes and duplicate references below this cell
 };
 
@@ -35,7 +36,7 @@ std::optional<KdDivision> divide_cell(const KdBuildInput& input, const KdCell& c
                                       std::span<const KdReference> refs, ThreadPool* pool);
 
 /// Takes the cost of a division, now that its references are known, off the cell's budget and shares the
-/// rest out by the number of references. False where the budget does not reach or nothing would be gained.
+/// rest out by the number of references. False where the budget does not reach.
 bool share_budget(const KdCell& cell, size_t refs, size_t left_refs, size_t right_refs, KdDivision& division);
 
 /// A part of the tree built by one thread: laid out as in KdTree, but leaves hold the scene's indices.

@@ -31,7 +31,7 @@ template <typename Real>
 struct PlaneRay {
   struct Axis {
     Real origin;
-    Real inv_dir;              ///< finite and not zero: components near zero are replaced by tiny ones
+    Real inv_dir;              ///< finite and not zero: a component of zero counts as a tiny one
     Real slack;                ///< in units of t
   } axes[3];                   // an array: glm's vectors index by branches
   uint32_t near_is_right = 0;  ///< bit k is set where the ray goes down axis k
@@ -44,11 +44,9 @@ struct PlaneRay {
     Real reach = largest(glm::max(glm::abs(lo), glm::abs(hi)));  // of coordinates relative to the origin
     if (kIsDouble) reach += largest(glm::abs(ray.origin));       // clipping worked with absolute ones
     const Real error = reach * (kIsDouble ? Real(1e-12) : 5 * std::numeric_limits<Real>::epsilon());
-    const Real smallest_dir = largest(glm::abs(ray.dir)) * Real(1e-20);
 
     for (int k = 0; k < 3; ++k) {
-      const Real inv_dir =
-          std::copysign(std::min(1 / std::max(std::abs(ray.dir[k]), smallest_dir), kLargest), ray.dir[k]);
+      const Real inv_dir = std::copysign(std::min(1 / std::abs(ray.dir[k]), kLargest), ray.dir[k]);
       const Real slack = std::min(error * std::abs(inv_dir), kLargest);
       const Real t0 = lo[k] * inv_dir, t1 = hi[k] * inv_dir;
       t_near = std::max(t_near, std::min(t0, t1) - slack);

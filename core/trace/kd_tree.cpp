@@ -139,7 +139,7 @@ KdTree build_kd_tree(const Scene& scene, ThreadPool& pool) {
       tree.bounds.empty() ? vec3(0) : glm::max(glm::abs(tree.bounds.lo), glm::abs(tree.bounds.hi));
   const KdBuildInput input{scene, 1e-13 * std::max({size.x, size.y, size.z}),
                            std::min(kKdMaxDepth, 10 + static_cast<int>(2 * std::log2(triangle_count + 1.0)))};
-  const KdCell root{tree.bounds, 0,
+  const KdCell root{tree.bounds, 0, 0,
                     kBudgetBytesPerTriangle * static_cast<double>(triangle_count) - 2 * sizeof(KdNode)};
   TopTree top{std::vector<KdNode>(2, KdNode::leaf(0, 0)), {}};
   divide_top(input, 0, root, std::move(refs), std::max(kSubtreeMin, triangle_count / kSubtreeShare), pool,

@@ -114,7 +114,7 @@ void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
 template <typename Real>
 void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHit> primary_hits, TraceStats& stats) {
   const Scene& scene = job_.scene;
-  const Vec3<Real> light(job_.light.color), ambient(scene.ambient), background(scene.background);
+  const Vec3<Real> light(job_.light.color), ambient(job_.ambient), background(job_.background);
   while (!rays_.empty()) {
     const double started_ms = thread_cpu_ms();
     take_batch();

@@ -14,6 +14,8 @@ struct TraceJob {
   DirectionalLight light;
   bool shadows = true;       ///< shadow rays at the hits of reflected and refracted rays
   int reflection_depth = 4;  ///< generations after the primary one
+  vec3 ambient{0.15f};       ///< times Kd
+  vec3 background{0.7f};     ///< what rays see that meet nothing
 };
 
 /// What pass 4 did. Rays are counted when they are fired.

@@ -7,7 +7,7 @@ namespace {
 using std::string;
 
 std::vector<Material> read_text(std::string_view mtl, Warnings& warnings) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::vector<Material> materials;
   read_mtl(folder.write("test.mtl", mtl), materials, warnings);
   return materials;
@@ -96,7 +96,7 @@ TEST(Mtl, CountsTexturesAndForeignColours) {
 }
 
 struct ObjWithLibraries : testing::Test {
-  TempFolder folder;
+  TemporaryFolder folder;
   ThreadPool pool{2};
   Warnings warnings;
 
@@ -109,7 +109,7 @@ TEST_F(ObjWithLibraries, ReadsThemAll) {
   folder.write("a.mtl", "newmtl a\nKd 1 0 0\n");
   folder.write("b.mtl", "newmtl b\nKd 0 1 0\n");
   folder.write("my own.mtl", "newmtl my red\nKd 0 0 1\n");
-  std::filesystem::create_directory(folder.path() / "sub");
+  std::filesystem::create_directory(folder.path / "sub");
   folder.write("sub/d.mtl", "newmtl d\n");
   const Scene scene = load(
       "mtllib a.mtl b.mtl my own.mtl\nusemtl b\nf 1 2 3\nusemtl my red \nf 1 2 3\nusemtl a\n"

@@ -12,9 +12,9 @@ using std::string;
 TEST(ObjFaults, FilesThatAreNone) {
   ThreadPool pool(1);
   Warnings warnings;
-  const TempFolder folder;
-  EXPECT_THROW(load_obj(folder.path() / "missing.obj", pool, warnings), Error);
-  EXPECT_THROW(load_obj(folder.path(), pool, warnings), Error);
+  const TemporaryFolder folder;
+  EXPECT_THROW(load_obj(folder.path / "missing.obj", pool, warnings), Error);
+  EXPECT_THROW(load_obj(folder.path, pool, warnings), Error);
   EXPECT_TRUE(contains(error_of(""), "no faces"));
   EXPECT_TRUE(contains(error_of(kTriangle), "no faces (3 vertices)"));
   EXPECT_TRUE(contains(error_of(kTriangle + "f 1 2\n"), "none of its 1 faces"));

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/obj_io.h"
-#include "tests/unit/temp_folder.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace hybridrt {
 
@@ -14,7 +14,7 @@ struct Loaded {
 };
 
 inline Loaded load_text(std::string_view obj, int threads = 2) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   ThreadPool pool(threads);
   Loaded loaded;
   loaded.scene = load_obj(folder.write("test.obj", obj), pool, loaded.warnings);

@@ -82,10 +82,10 @@ TEST(SharedScenes, BrokenOnesAreRefused) {
   const std::filesystem::path nasty = std::filesystem::path(HYBRIDRT_SHARED_SCENES) / "nasty";
   if (!std::filesystem::exists(nasty)) GTEST_SKIP() << nasty << " is not here";
   EXPECT_TRUE(
-      contains(error_of(bytes_of(nasty / "index_past_end/invalid_index.obj")), ":12: a face uses vertex 7"));
+      contains(error_of(file_contents(nasty / "index_past_end/invalid_index.obj")), ":12: a face uses vertex 7"));
   EXPECT_TRUE(contains(
-      error_of(bytes_of(nasty / "relative_texture_index/invalid-relative-texture-index.obj")), ":2: "));
-  EXPECT_TRUE(contains(error_of(bytes_of(nasty / "invalid_faces/invalid-face-definition.obj")),
+      error_of(file_contents(nasty / "relative_texture_index/invalid-relative-texture-index.obj")), ":2: "));
+  EXPECT_TRUE(contains(error_of(file_contents(nasty / "invalid_faces/invalid-face-definition.obj")),
                        "none of its 2 faces"));
 }
 

@@ -89,9 +89,9 @@ TEST(Spheres, RefuseWhatIsOutOfRange) {
 }
 
 TEST(ObjWriter, WhatIsWrittenReadsBackTheSame) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Scene scene = make_spheres({120'000, 35});
-  const std::filesystem::path path = folder.path() / "new folder" / "my spheres.obj";
+  const std::filesystem::path path = folder.path / "new folder" / "my spheres.obj";
   const WrittenObj written = write_obj(scene, path);
   EXPECT_EQ(written.obj_bytes, std::filesystem::file_size(path));
   EXPECT_EQ(written.mtl_bytes, std::filesystem::file_size(written.mtl));
@@ -124,11 +124,11 @@ TEST(ObjWriter, WhatIsWrittenReadsBackTheSame) {
 }
 
 TEST(ObjWriter, SameSceneSameBytes) {
-  const TempFolder folder;
-  write_obj(make_spheres({5000, 10}), folder.path() / "a.obj");
-  const std::string first = bytes_of(folder.path() / "a.obj");
-  write_obj(make_spheres({5000, 10}), folder.path() / "a.obj");
-  EXPECT_EQ(bytes_of(folder.path() / "a.obj"), first);
+  const TemporaryFolder folder;
+  write_obj(make_spheres({5000, 10}), folder.path / "a.obj");
+  const std::string first = file_contents(folder.path / "a.obj");
+  write_obj(make_spheres({5000, 10}), folder.path / "a.obj");
+  EXPECT_EQ(file_contents(folder.path / "a.obj"), first);
   EXPECT_FALSE(first.empty());
 }
 
@@ -136,19 +136,19 @@ TEST(ObjWriter, AFarSceneReadsBackInItsPlace) {
   Scene scene =
       load_text("v 85000.25 447500.5 3\nv 85010.125 447500 3\nv 85000 447511.0625 4\nf 1 2 3\n").scene;
   ASSERT_NE(scene.origin_world, dvec3(0));
-  const TempFolder folder;
-  write_obj(scene, folder.path() / "far.obj");
-  const Scene read = load_text(bytes_of(folder.path() / "far.obj")).scene;
+  const TemporaryFolder folder;
+  write_obj(scene, folder.path / "far.obj");
+  const Scene read = load_text(file_contents(folder.path / "far.obj")).scene;
   EXPECT_EQ(read.origin_world, scene.origin_world);
   EXPECT_EQ(read.positions, scene.positions);
 }
 
 TEST(ObjWriter, SaysWhatCannotBeWritten) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Scene scene = make_spheres({1000, 10});
-  std::filesystem::create_directory(folder.path() / "taken.obj");
+  std::filesystem::create_directory(folder.path / "taken.obj");
   folder.write("file", "");
-  for (const auto& path : {folder.path() / "taken.obj", folder.path() / "file" / "x.obj"}) {
+  for (const auto& path : {folder.path / "taken.obj", folder.path / "file" / "x.obj"}) {
     try {
       write_obj(scene, path);
       ADD_FAILURE() << path;
@@ -156,9 +156,9 @@ TEST(ObjWriter, SaysWhatCannotBeWritten) {
       EXPECT_EQ(error.kind(), ErrorKind::output);
     }
   }
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path))
     EXPECT_FALSE(contains(entry.path().string(), ".part")) << "nothing is left behind";
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "taken.mtl"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path / "taken.mtl"));
 }
 
 TEST(SceneSource, TakesProceduralScenesAndFiles) {
@@ -167,14 +167,14 @@ TEST(SceneSource, TakesProceduralScenesAndFiles) {
   const Scene made = load_scene("scene:spheres,triangles=3000,reflective=50", pool, warnings);
   EXPECT_EQ(made.positions, make_spheres({3000, 50}).positions);
   EXPECT_EQ(load_scene("scene:spheres", pool, warnings).triangle_count(), 500'000u);
-  const TempFolder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(
       load_scene(folder.write("A.OBJ", kTriangle + "f 1 2 3\n").string(), pool, warnings).triangle_count(),
       1u);
 }
 
 TEST(SceneSource, SaysWhatIsAllowed) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const std::string ply = folder.write("a.ply", "ply\n").string();
   const std::tuple<std::string, ErrorKind, std::string> cases[] = {
       {"scene:cubes", ErrorKind::usage, "spheres"},
@@ -188,7 +188,7 @@ TEST(SceneSource, SaysWhatIsAllowed) {
       {"scene:spheres,reflective=101", ErrorKind::usage, "0 to 100"},
       {"/nowhere/to/be/found.obj", ErrorKind::input, "does not exist"},
       {ply, ErrorKind::input, ".ply files are not supported yet"},
-      {folder.path().string(), ErrorKind::input, "is a directory"},
+      {folder.path.string(), ErrorKind::input, "is a directory"},
   };
   ThreadPool pool(1);
   Warnings warnings;

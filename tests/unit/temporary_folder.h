@@ -6,6 +6,7 @@
 #include <set>
 #include <stdlib.h>
 #include <string>
+#include <string_view>
 
 namespace hybridrt {
 
@@ -23,6 +24,12 @@ struct TemporaryFolder {
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  /// Makes a file; returns its path.
+  std::filesystem::path write(const std::string& name, std::string_view bytes) const {
+    std::ofstream(path / name, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return path / name;
+  }
 
   /// Names in the folder, hidden ones too.
   std::set<std::string> names() const {

@@ -1,0 +1,171 @@
+#include "core/render/default_orbit.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "core/scene/view.h"
+
+namespace hybridrt {
+namespace {
+
+// Small pictures are enough to tell walls from things.
+constexpr int kWidth_px = 32, kHeight_px = 24;
+constexpr double kMostlyBackFaces = 0.6;  // more than this share: a room seen from outside
+constexpr double kHardlyAnyBackFaces = 0.05;
+constexpr int kAzimuths = 16;
+constexpr double kSway_rad = 14 * kPi / 180, kLookInElevation_rad = 4 * kPi / 180;
+
+/// What a bundle of rays sees.
+struct Seen {
+  int rays = 0, hits = 0, back_faces = 0;
+  double sum_distance = 0, least_distance = std::numeric_limits<double>::infinity();
+
+  double back_share() const { return hits ? static_cast<double>(back_faces) / hits : 0; }
+};
+
+/// Facing goes by the shading normal: where a file brings normals, they know better than the winding.
+bool shows_back_face(const Scene& scene, const Hit<float>& hit, const vec3& dir) {
+  const uvec3& corners = scene.triangle_normals[hit.triangle];
+  const vec3 normal = (1 - hit.u - hit.v) * scene.normals[corners[0]] + hit.u * scene.normals[corners[1]] +
+                      hit.v * scene.normals[corners[2]];
+  return glm::dot(normal, dir) > 0;
+}
+
+Seen look(const Scene& scene, const RayCaster<float>& caster, const std::vector<Ray<float>>& rays) {
+  std::vector<Hit<float>> hits(rays.size());
+  caster.closest_hits(rays, hits);
+  Seen seen;
+  seen.rays = static_cast<int>(rays.size());
+  for (size_t i = 0; i < rays.size(); ++i) {
+    if (!hits[i].found()) continue;
+    ++seen.hits;
+    seen.back_faces += shows_back_face(scene, hits[i], rays[i].dir);
+    seen.sum_distance += hits[i].t;
+    seen.least_distance = std::min<double>(seen.least_distance, hits[i].t);
+  }
+  return seen;
+}
+
+Seen look_from(const Scene& scene, const RayCaster<float>& caster, const Camera& camera, double aspect) {
+  View view = make_view(camera, scene.origin_world, kWidth_px, kHeight_px);
+  view.tan_half_width = view.tan_half_height * aspect;
+  std::vector<Ray<float>> rays;
+  for (int y = 0; y < kHeight_px; ++y)
+    for (int x = 0; x < kWidth_px; ++x) {
+      Ray<float> ray;
+      ray.origin = vec3(view.eye);
+      ray.dir = vec3(glm::normalize(view.pixel_dir(x, y)));
+      rays.push_back(ray);
+    }
+  return look(scene, caster, rays);
+}
+
+/// The same distance from the target, seen from nearly level.
+Orbit level(Orbit orbit) {
+  const double distance = std::hypot(orbit.radius, orbit.height);
+  orbit.radius = distance * std::cos(kLookInElevation_rad);
+  orbit.height = distance * std::sin(kLookInElevation_rad);
+  return orbit;
+}
+
+/// An orbit that sways in front of the scene's open side, if there is one.
+std::optional<Orbit> look_in(const Scene& scene, const RayCaster<float>& caster, const Orbit& around, double aspect) {
+  Orbit orbit = level(around);
+  double best_share = 1, best_azimuth = 0;
+  for (int i = 0; i < kAzimuths; ++i) {
+    orbit.from_rad = orbit.to_rad = 2 * kPi * i / kAzimuths;
+    const double share = look_from(scene, caster, camera_on_orbit(orbit, 0), aspect).back_share();
+    if (share < best_share) best_share = share, best_azimuth = orbit.from_rad;
+  }
+  if (best_share > kHardlyAnyBackFaces) return std::nullopt;
+  orbit.from_rad = best_azimuth - kSway_rad;
+  orbit.to_rad = best_azimuth + kSway_rad;
+  return orbit;
+}
+
+/// `count` directions spread evenly over the sphere (a Fibonacci lattice).
+std::vector<vec3> sphere_directions(int count) {
+  std::vector<vec3> directions;
+  for (int i = 0; i < count; ++i) {
+    const double y = 1 - (2 * i + 1.0) / count, angle = i * kPi * (3 - std::sqrt(5.0));
+    const double r = std::sqrt(1 - y * y);
+    directions.push_back(vec3(r * std::cos(angle), y, r * std::sin(angle)));
+  }
+  return directions;
+}
+
+Seen look_around(const Scene& scene, const RayCaster<float>& caster, const vec3& eye,
+                 const std::vector<vec3>& directions) {
+  std::vector<Ray<float>> rays;
+  for (const vec3& dir : directions) rays.push_back({eye, dir});
+  return look(scene, caster, rays);
+}
+
+/// The point of a grid in the scene's box with most space around it, walls turned toward it, and a little
+/// below the middle, as people stand.
+std::optional<vec3> roomiest_point(const Scene& scene, const RayCaster<float>& caster) {
+  constexpr int kSteps = 11, kDirections = 48;
+  constexpr double kFewestHits = 0.5, kMostBackFaces = 0.15, kClearance = 0.02, kEyeLevel = 0.3;
+  const std::vector<vec3> directions = sphere_directions(kDirections);
+  const vec3 extent = scene.bounds.extent();
+  const double diagonal = glm::length(extent);
+  std::optional<vec3> best;
+  double best_score = 0;
+  for (int z = 0; z < kSteps; ++z)
+    for (int y = 0; y < kSteps; ++y)
+      for (int x = 0; x < kSteps; ++x) {
+        const vec3 share = (vec3(x, y, z) + 0.5f) / static_cast<float>(kSteps);
+        const vec3 eye = scene.bounds.lo + share * extent;
+        const Seen seen = look_around(scene, caster, eye, directions);
+        if (seen.hits < kFewestHits * seen.rays || seen.back_share() > kMostBackFaces ||
+            seen.least_distance < kClearance * diagonal)
+          continue;
+        const double score = seen.sum_distance / seen.hits * (1 - std::abs(share.y - kEyeLevel));
+        if (score > best_score) best_score = score, best = eye;
+      }
+  return best;
+}
+
+/// Standing inside, looking the longest way first.
+std::optional<Orbit> stand_inside(const Scene& scene, const RayCaster<float>& caster, const Orbit& around) {
+  const std::optional<vec3> spot = roomiest_point(scene, caster);
+  if (!spot) return std::nullopt;
+  constexpr int kDirections = 64;
+  double longest = -1, azimuth = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * kPi * i / kDirections;
+    const Seen seen = look_around(scene, caster, *spot, {vec3(std::sin(angle), 0, std::cos(angle))});
+    if (seen.hits && seen.sum_distance > longest) longest = seen.sum_distance, azimuth = angle;
+  }
+  const vec3 backward(-std::sin(azimuth), 0, -std::cos(azimuth));
+  const Seen behind = look_around(scene, caster, *spot, {backward});
+  Orbit orbit = around;
+  orbit.target_world = scene.origin_world + dvec3(*spot);
+  if (behind.hits) orbit.target_world += 0.5 * behind.sum_distance * dvec3(backward);
+  orbit.outward = true;
+  orbit.radius = glm::length(scene.bounds.extent());
+  orbit.height = 0;
+  orbit.from_rad = azimuth;
+  orbit.to_rad = azimuth + 2 * kPi;
+  return orbit;
+}
+
+}  // namespace
+
+Orbit choose_default_orbit(const Scene& scene, const RayCaster<float>& caster, double aspect, double fov_y_rad) {
+  const Orbit around = default_orbit(scene, aspect, fov_y_rad);
+  Seen all;
+  for (int i = 0; i < kAzimuths; ++i) {
+    const Camera camera = camera_on_orbit(around, static_cast<double>(i) / kAzimuths);
+    const Seen seen = look_from(scene, caster, camera, aspect);
+    all.hits += seen.hits;
+    all.back_faces += seen.back_faces;
+  }
+  if (all.back_share() <= kMostlyBackFaces) return around;
+  if (const auto orbit = look_in(scene, caster, around, aspect)) return *orbit;
+  if (const auto orbit = stand_inside(scene, caster, around)) return *orbit;
+  return around;
+}
+
+}  // namespace hybridrt

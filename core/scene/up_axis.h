@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/base/math.h"
+
+namespace hybridrt {
+
+/// Which axis of a scene's files points up. Everything after loading has y up.
+enum class UpAxis { y, z };
+
+/// A point or direction of the files as the loaded scene has it: (x, y, z) -> (x, z, -y) where z is up, a
+/// quarter turn about x that loses no bit. Numbers that a user gives for a scene (a camera, a light) are in
+/// the axes of its files and go through here too.
+template <typename Real>
+Vec3<Real> y_up_from_files(UpAxis up, const Vec3<Real>& v) {
+  return up == UpAxis::y ? v : Vec3<Real>(v.x, v.z, -v.y);
+}
+
+}  // namespace hybridrt

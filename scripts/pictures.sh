@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Renders every picture that README.md and docs/ show, into docs/images/.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+hybridrt=build/release/bin/hybridrt
+out=docs/images
+
+render() { "$hybridrt" render "$@" --quiet --timings /dev/null; }
+
+# The whole picture, and what each pass made of it (the paper's figure 3).
+render scenes/still_life.obj --size 800x600 -o "$out/still_life.png" --reflection-depth 8
+render scenes/still_life.obj --size 320x240 -o "$out/passes.png" --aov id,shadow,marked,traced
+
+# Shadow boundaries without and with refinement (the paper's figures 8 and 9).
+for shadows in map blur; do
+  render scenes/still_life.obj --size 400x300 --eye 0.2,1.5,5.2 --target -1.9,0.15,1.6 --fov 26 --shadow-map 256 \
+    --shadows "$shadows" -o "$out/shadows_$shadows.png"
+done
+
+# The paper's measuring scene.
+render scene:spheres,triangles=500000,reflective=10 --size 800x600 -o "$out/spheres.png"
+rm -f "$out/run.json"

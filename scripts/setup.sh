@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that building, testing and running hybridrt take.
+# Quick and silent when nothing is missing. HYBRIDRT_SETUP=skip leaves the machine alone.
+set -euo pipefail
+
+packages=(
+  g++                    # compiler
+  cmake                  # build
+  ninja-build            # build
+  ccache                 # rebuilds
+  pkg-config             # finds OpenImageIO
+  git                    # version
+  python3                # tests
+  libegl-dev             # headers
+  libgl-dev              # headers
+  libegl1                # contexts
+  libegl-mesa0           # contexts
+  libgl1-mesa-dri        # llvmpipe
+  libosmesa6             # contexts
+  libglm-dev             # math
+  libfmt-dev             # text
+  nlohmann-json3-dev     # JSON
+  libcli11-dev           # options
+  libtinyobjloader-dev   # OBJ
+  libopenimageio-dev     # images
+  libembree-dev          # rays
+  libhwy-dev             # SIMD
+  libgtest-dev           # tests
+  libbenchmark-dev       # benchmarks
+)
+
+fail() {
+  echo "setup.sh: $*" >&2
+  exit 1
+}
+
+missing_packages() {
+  local installed
+  # Fails when one package is unknown, yet still prints the others.
+  installed=$(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' "${packages[@]}" 2>/dev/null | sed -n 's/^ii *//p' || true)
+  comm -23 <(printf '%s\n' "${packages[@]}" | sort) <(sort -u <<<"$installed")
+}
+
+apt_get() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o Dpkg::Use-Pty=0 -o Acquire::Retries=3 \
+    -o DPkg::Lock::Timeout=300 "$@" >>"$log" 2>&1
+}
+
+install_missing() {
+  apt_get install --no-install-recommends "${missing[@]}"
+}
+
+[ "${HYBRIDRT_SETUP:-}" != skip ] || exit 0
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  fail "no apt here; install the equivalents of Debian's ${packages[*]}, then set HYBRIDRT_SETUP=skip"
+fi
+
+mapfile -t missing < <(missing_packages)
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || fail "run as root: apt-get install --no-install-recommends ${missing[*]}"
+  as_root=(sudo)
+fi
+
+echo "setup.sh: installing ${#missing[@]} Debian packages: ${missing[*]}" >&2
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+# A fresh machine has no package lists, an old one lists that its mirror has left behind: the first
+# attempt shows which, and a mirror may stumble, so updating has a second chance.
+if ! install_missing; then
+  apt_get update || { sleep 5; apt_get update; } || true
+  install_missing || {
+    tail -n 20 "$log" >&2
+    fail "apt-get could not install: ${missing[*]}"
+  }
+fi

@@ -1,0 +1,64 @@
+"""cmake --install: the installed tree works from another folder, on its own.
+
+    install_test.py CMAKE BUILD_FOLDER SOURCE_FOLDER
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CMAKE, BUILD, SOURCE = sys.argv[1:4]
+del sys.argv[1:4]
+
+
+class InstallTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.prefix = os.path.join(cls.folder.name, "prefix")
+        cls.elsewhere = os.path.join(cls.folder.name, "elsewhere")
+        os.mkdir(cls.elsewhere)
+        subprocess.run([CMAKE, "--install", BUILD, "--prefix", cls.prefix, "--strip"], check=True, capture_output=True)
+        cls.binary = os.path.join(cls.prefix, "bin", "hybridrt")
+
+    def run_installed(self, *arguments):
+        environment = {name: os.environ[name] for name in os.environ if not name.startswith(("LD_", "HYBRIDRT_"))}
+        done = subprocess.run([self.binary, *arguments], cwd=self.elsewhere, env=environment, capture_output=True,
+                              text=True, timeout=250)
+        self.assertEqual(done.returncode, 0, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done.stdout
+
+    def test_version(self):
+        self.assertRegex(self.run_installed("--version"), r"hybridrt \d+\.\d+")
+
+    def test_render(self):
+        self.run_installed("render", "scene:spheres,triangles=500", "--size", "64x48", "-o", "first/light.####.png")
+        folder = os.path.join(self.elsewhere, "first")
+        self.assertEqual(sorted(os.listdir(folder)), ["light.0001.png", "run.json", "timings.csv"])
+        self.assertGreater(os.path.getsize(os.path.join(folder, "light.0001.png")), 500)
+
+    def test_golden(self):
+        share = os.path.join(self.prefix, "share", "hybridrt")
+        if not os.path.exists(os.path.join(SOURCE, "golden", "golden.json")):
+            self.skipTest("no golden list yet")
+        self.assertTrue(os.path.exists(os.path.join(share, "golden", "golden.json")), "the golden list is not installed")
+        self.assertIn("as expected", self.run_installed("golden", "check"))
+
+    def test_knows_no_path_of_the_source(self):
+        with open(self.binary, "rb") as file:
+            content = file.read()
+        for folder in (SOURCE, BUILD):
+            self.assertNotIn(os.path.abspath(folder).encode() + b"/", content)
+
+    def test_documents(self):
+        documents = os.path.join(self.prefix, "share", "doc", "hybridrt")
+        for name in ("README.md", "CHANGELOG.md", "LICENSE"):
+            if os.path.exists(os.path.join(SOURCE, name)):
+                self.assertTrue(os.path.exists(os.path.join(documents, name)), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
