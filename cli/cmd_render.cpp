@@ -12,6 +12,7 @@
 #include "core/base/output_file.h"
 #include "core/image/contact_sheet.h"
 #include "core/image_io/encode_image.h"
+#include "core/render/aov.h"
 #include "core/render/file_sink.h"
 #include "core/render/fingerprint.h"
 #include "core/render/output_pattern.h"
@@ -161,6 +162,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   TimingsCsv timings(paths.timings);
   FileSink sink(encode_image_file, job.threads, static_cast<size_t>(2 * job.threads));
 
+  const bool layered = keeps_layers(output_path(paths.pattern, job.frames.lowest()).string());
   Stopwatch rendering;
   const RunFacts facts = run(
       job,
@@ -179,11 +181,14 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
         const auto written = [&timings, number](double ms) { timings.file_written(number, ms); };
         const fs::path path = output_path(paths.pattern, number);
         totals.add(frame);
-        timings.add(frame, static_cast<int>(1 + frame.aovs.size()));
+        timings.add(frame, static_cast<int>(layered ? 1 : 1 + frame.aovs.size()));
         if (!output.contact_sheet.empty()) sheet.add(frame.picture);
         reporter.frame(frame, path);
-        for (AovImage& aov : frame.aovs)
-          sink.submit(output_path(paths.pattern, number, aov.name), std::move(aov.image), written, metadata);
+        if (layered) frame.picture.layers = std::move(frame.aovs);
+        else
+          for (const ImageLayer& aov : frame.aovs)
+            sink.submit(output_path(paths.pattern, number, aov.name),
+                        display_image(aov, frame.picture.width_px, frame.picture.height_px), written, metadata);
         sink.submit(path, std::move(frame.picture), written, metadata);
       });
   totals.rendering_ms = rendering.elapsed_ms();

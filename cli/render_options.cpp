@@ -75,6 +75,24 @@ void parse_size(const std::string& text, RenderSettings& settings) {
   settings.height_px = height;
 }
 
+void parse_crop(const std::string& text, RenderSettings& settings) {
+  int numbers[4] = {};
+  std::string_view rest = text;
+  bool good = true;
+  for (int i = 0; i < 4 && good; ++i) {
+    const size_t comma = i < 3 ? rest.find(',') : rest.size();
+    good = comma != rest.npos && parse_number(rest.substr(0, comma), numbers[i]);
+    if (good && i < 3) rest.remove_prefix(comma + 1);
+  }
+  if (!good) throw error(ErrorKind::usage, "--crop {}: write X,Y,W,H in pixels, like 100,50,320,240", text);
+  const PixelRect crop{numbers[0], numbers[1], numbers[2], numbers[3]};
+  if (crop.x_px < 0 || crop.y_px < 0 || crop.width_px < 1 || crop.height_px < 1 ||
+      crop.x_px > settings.width_px - crop.width_px || crop.y_px > settings.height_px - crop.height_px)
+    throw error(ErrorKind::usage, "--crop {}: it must lie inside the frame of {}x{} pixels", text, settings.width_px,
+                settings.height_px);
+  settings.crop = crop;
+}
+
 uint32_t parse_aovs(const std::string& text) {
   uint32_t bits = 0;
   for (size_t begin = 0; !text.empty() && begin <= text.size();) {
@@ -96,6 +114,7 @@ void require_range(const char* option, long long value, long long lowest, long l
 RenderSettings make_settings(const RenderOptions& o) {
   RenderSettings s;
   parse_size(o.size, s);
+  if (!o.crop.empty()) parse_crop(o.crop, s);
   s.method = o.method;
   s.shadows = default_shadows(o.method);
   if (!o.shadows.empty()) by_name("--shadows", kShadows, s.shadows)(o.shadows);
@@ -246,7 +265,9 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--sequence", o.sequence, "The whole that the frames belong to (default: first to last frame)")
       ->type_name("A-B")->group(picture);
   app.add_option("--size", o.size, "Pixels (default 1024x768)")->type_name("WxH")->group(picture);
-  app.add_option("--aov", o.aovs, "Also write: id,shadow,marked,traced,depth,normal")->type_name("LIST")->group(picture);
+  app.add_option("--crop", o.crop, "Render this part of the frame only")->type_name("X,Y,W,H")->group(picture);
+  app.add_option("--aov", o.aovs, "Also write: id,shadow,marked,traced,depth,normal (files of their own; layers of an "
+                 ".exr)")->type_name("LIST")->group(picture);
 
   const char* method = "Method";
   app.add_option_function("--method", by_name("--method", kMethods, o.method),

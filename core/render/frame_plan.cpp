@@ -32,7 +32,9 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
                           const RenderSettings& settings) {
   FramePlan plan;
   plan.number = request.number;
-  plan.view = make_view(request.camera, scene.origin_world, settings.width_px, settings.height_px);
+  const PixelRect part = rendered_rect(settings);
+  plan.view = part_of(make_view(request.camera, scene.origin_world, settings.width_px, settings.height_px), part.x_px,
+                      part.y_px, part.width_px, part.height_px);
   plan.light = request.light;
   const double size = glm::length(dvec3(facts.bounds.extent()));
   plan.near_distance = 1e-5 * std::max(size, 1e-30);
