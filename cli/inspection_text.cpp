@@ -145,7 +145,7 @@ std::string frame_text(const Inspection& in) {
                                 frames > 1 ? fmt::format(", the first of {}", grouped(frames)) : "",
                                 s.width_px, s.height_px, name_of(s.method), name_of(s.shadows));
   out += fmt::format("  {:<22}{}{}\n", "eye", point(camera.eye_world),
-                     in.job.motion.still ? "" : ", on an orbit");
+                     std::holds_alternative<Orbit>(in.job.motion.course) ? ", on an orbit" : "");
   out += fmt::format("  {:<22}{}\n", "target", point(camera.target_world));
   out += fmt::format("  {:<22}{}\n", "toward the light", point(in.plan.light.toward));
   for (const StepNote& note : in.steps)

@@ -11,7 +11,7 @@ TEST(PictureFromRgba, SplitsOffAndCountsWhatSeesASurface) {
   const std::vector<vec4> rgba = {{1, 2, 3, 1}, {4, 5, 6, 0},  {7, 8, 9, 1},
                                   {0, 0, 0, 0}, {-1, 0, 1, 1}, {2, 2, 2, 0}};
   int64_t hit = 0;
-  const Image picture = picture_from_rgba(rgba.data(), 3, 2, hit);
+  const Image picture = picture_from_rgba(rgba.data(), 3, 2, {0, 0, 3, 2}, hit);
   EXPECT_EQ(hit, 3);
   EXPECT_EQ(picture.width_px, 3);
   EXPECT_EQ(picture.height_px, 2);
@@ -27,7 +27,7 @@ TEST(PictureFromRgba, PixelsThatWereNeverWrittenThrow) {
     rgba[4].a = alpha;
     int64_t hit = 0;
     try {
-      picture_from_rgba(rgba.data(), 3, 2, hit);
+      picture_from_rgba(rgba.data(), 3, 2, {0, 0, 3, 2}, hit);
       ADD_FAILURE() << alpha << " was accepted";
     } catch (const Error& failure) {
       EXPECT_EQ(failure.kind(), ErrorKind::device);
