@@ -25,6 +25,10 @@ GoldenCase parse_case(const json& entry, const fs::path& list) {
   golden.limits.fail_percent = entry.value("fail_percent", golden.limits.fail_percent);
   golden.limits.hard_fail = entry.value("hard_fail", golden.limits.hard_fail);
   golden.reason = entry.at("reason").get<std::string>();
+  const CompareLimits& l = golden.limits;
+  if (!(l.fail >= 0 && l.fail <= 1 && l.hard_fail >= 0 && l.hard_fail <= 1 && l.fail_percent >= 0 && l.fail_percent <= 100))
+    throw error(ErrorKind::input, "{}: case '{}': fail and hard_fail are 0 to 1, fail_percent 0 to 100", list.string(),
+                golden.name);
   if (golden.name.empty() || golden.name.find('/') != std::string::npos)
     throw error(ErrorKind::input, "{}: '{}' cannot be a case's name; it becomes a file name", list.string(), golden.name);
   return golden;
@@ -40,14 +44,25 @@ std::string resolve_scene(const std::string& scene, const fs::path& folder) {
 
 GoldenList read_golden_list(const fs::path& path) {
   std::ifstream file(path);
-  if (!file) throw error(ErrorKind::input, "{}: no such golden list; name one by --list", path.string());
+  if (!file || fs::is_directory(path))
+    throw error(ErrorKind::input, "{}: no such golden list; name one by --list", path.string());
   GoldenList list;
   list.folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
   try {
-    const json document = json::parse(file);
-    for (const json& entry : document.at("cases")) list.cases.push_back(parse_case(entry, path));
+    json document;
+    try {
+      document = json::parse(file);
+    } catch (const json::exception& problem) {
+      throw error(ErrorKind::input, "{}: not a golden list: {}", path.string(), problem.what());
+    }
+    if (!document.is_object() || !document.contains("cases") || !document["cases"].is_array())
+      throw error(ErrorKind::input, "{}: not a golden list: write {{\"cases\": [...]}}", path.string());
+    for (const auto& [key, value] : document.items())
+      if (key != "cases") throw error(ErrorKind::input, "{}: unknown key '{}'", path.string(), key);
+    for (const json& entry : document["cases"]) list.cases.push_back(parse_case(entry, path));
   } catch (const json::exception& problem) {
-    throw error(ErrorKind::input, "{}: not a golden list: {}", path.string(), problem.what());
+    throw error(ErrorKind::input, "{}: not a golden list: case {}: {}", path.string(), list.cases.size() + 1,
+                problem.what());
   }
   std::set<std::string> names;
   for (GoldenCase& golden : list.cases) {

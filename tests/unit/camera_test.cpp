@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/render/default_view.h"
 #include "core/render/render_job.h"
 #include "core/scene/spheres.h"
 #include "core/scene/view.h"
@@ -92,7 +93,7 @@ TEST(DefaultOrbit, SceneOfOnePointStillHasACamera) {
 
 TEST(Orbit, GoesOnceAroundWithoutRepeatingAFrame) {
   CameraMotion motion;
-  motion.orbit = default_orbit(boxed(vec3(-1), vec3(1)), 1, kFov_rad);
+  motion.course = default_orbit(boxed(vec3(-1), vec3(1)), 1, kFov_rad);
   motion.sequence = {1, 8, 1};
   for (int frame = 1; frame <= 8; ++frame) {
     const dvec3 eye = camera_at(motion, frame).eye_world, next = camera_at(motion, frame + 1).eye_world;
@@ -108,7 +109,7 @@ TEST(Orbit, GoesOnceAroundWithoutRepeatingAFrame) {
 
 TEST(Orbit, StillCameraStandsStill) {
   CameraMotion motion;
-  motion.still = Camera{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 1};
+  motion.course = Camera{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 1};
   motion.sequence = {1, 100, 1};
   EXPECT_EQ(camera_at(motion, 1).eye_world, camera_at(motion, 77).eye_world);
 }
@@ -118,7 +119,7 @@ TEST(DefaultLight, ComesFromAboveLeftAndBehindTheCamera) {
   for (int step = 0; step < 36; ++step) {
     const Camera camera = camera_on_orbit(default_orbit(scene, 1.5, kFov_rad), step / 36.0);
     const View view = make_view(camera, dvec3(0), 150, 100);
-    const dvec3 toward = default_light_toward(camera);
+    const dvec3 toward = default_light(Surroundings::outside, camera, vec3(0.15f)).toward;
     EXPECT_NEAR(glm::length(toward), 1, 1e-12);
     EXPECT_GT(toward.y, 0.3) << "above";
     EXPECT_LT(glm::dot(toward, view.right), -0.2) << "left";
@@ -127,7 +128,7 @@ TEST(DefaultLight, ComesFromAboveLeftAndBehindTheCamera) {
 }
 
 TEST(DefaultLight, CameraLookingStraightDown) {
-  const dvec3 toward = default_light_toward({{0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 1});
+  const dvec3 toward = default_light(Surroundings::outside, {{0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 1}, vec3(0)).toward;
   EXPECT_NEAR(glm::length(toward), 1, 1e-12);
   EXPECT_GT(toward.y, 0);
 }
