@@ -23,9 +23,8 @@ ExitCode inspect(const RenderOptions& options, bool as_json) {
 
   const SceneFacts facts = make_scene_facts(job.scene);
   const int first = *FrameCursor(job.frames).next();
-  found.plan =
-      make_frame_plan(job.scene, facts, {first, camera_at(job.motion, first), job.light}, job.settings);
-  const bool light_moves = false;  // one light for all frames
+  found.plan = make_frame_plan(job.scene, facts, frame_request(job, first), job.settings);
+  const bool light_moves = job.light.mode != LightMode::fixed;
   found.steps = explain_plan(found.plan, facts, job.settings, job.accel, light_moves);
   found.memory = estimate_memory(job.scene, facts, job.settings, job.accel);
 
