@@ -82,7 +82,9 @@ TEST(CameraPath, FieldOfViewDoesNotOvershoot) {
     const double fov = camera_on_path(path, frame).fov_y_rad * 180 / kPi;
     EXPECT_LE(fov, 60 + 1e-9) << frame;
     EXPECT_GE(fov, 20 - 1e-9) << frame;
-    if (frame >= 11 && frame <= 31) EXPECT_NEAR(fov, 60, 1e-9) << "between equal keys nothing moves";
+    if (frame >= 11 && frame <= 31) {
+      EXPECT_NEAR(fov, 60, 1e-9) << "between equal keys nothing moves";
+    }
   }
 }
 
