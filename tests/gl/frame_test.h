@@ -19,8 +19,8 @@ inline RenderJob orbit_job(const std::string& scene, int frames, int width_px = 
   job.settings.shadow_map_px = 1024;
   job.frames.ranges = {{1, frames, 1}};
   job.motion.sequence = {1, frames, 1};
-  job.motion.orbit = default_orbit(job.scene, static_cast<double>(width_px) / height_px, 0.7);
-  job.light.toward = default_light_toward(camera_at(job.motion, 1));
+  job.motion.course = default_orbit(job.scene, static_cast<double>(width_px) / height_px, 0.7);
+  job.light.light.toward = default_light_toward(camera_at(job.motion, 1));
   job.shaders = gl::embedded_shaders();
   return job;
 }

@@ -92,7 +92,7 @@ TEST(DefaultOrbit, SceneOfOnePointStillHasACamera) {
 
 TEST(Orbit, GoesOnceAroundWithoutRepeatingAFrame) {
   CameraMotion motion;
-  motion.orbit = default_orbit(boxed(vec3(-1), vec3(1)), 1, kFov_rad);
+  motion.course = default_orbit(boxed(vec3(-1), vec3(1)), 1, kFov_rad);
   motion.sequence = {1, 8, 1};
   for (int frame = 1; frame <= 8; ++frame) {
     const dvec3 eye = camera_at(motion, frame).eye_world, next = camera_at(motion, frame + 1).eye_world;
@@ -108,7 +108,7 @@ TEST(Orbit, GoesOnceAroundWithoutRepeatingAFrame) {
 
 TEST(Orbit, StillCameraStandsStill) {
   CameraMotion motion;
-  motion.still = Camera{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 1};
+  motion.course = Camera{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 1};
   motion.sequence = {1, 100, 1};
   EXPECT_EQ(camera_at(motion, 1).eye_world, camera_at(motion, 77).eye_world);
 }

@@ -51,16 +51,15 @@ struct Traced {
   std::vector<uint8_t> lit;
   TraceStats stats;
 
-  Traced(Scene scene, const Camera& camera, int width, int height, int depth, int threads = 1,
+  Traced(const Scene& scene, const Camera& camera, int width, int height, int depth, int threads = 1,
          bool shadows = false)
       : picture(static_cast<size_t>(width) * height), ids(picture.size()), lit(picture.size()) {
-    scene.ambient = vec3(0);
-    scene.background = vec3(0.25f);
     ThreadPool pool(threads);
     const KdTree tree = build_kd_tree(scene, pool);
     const View view = make_view(camera, dvec3(0), width, height);
     const auto caster = make_caster<Real>(tree);
-    const TraceJob job{scene, view, {glm::normalize(dvec3(1, 2, 3)), vec3(1)}, shadows, depth};
+    const TraceJob job{scene,   view,       {glm::normalize(dvec3(1, 2, 3)), vec3(1)}, shadows, depth,
+                       vec3(0), vec3(0.25f)};
     stats = trace_frame(job, *caster, pool, TracedFrame<Real>{picture, ids, lit});
   }
 };
@@ -160,7 +159,6 @@ TYPED_TEST(MirrorRoom, ThickPaneShiftsByTheBookFormula) {
   const float w = 0.01f;
   add_wall(scene, {float(x_hit) - w, -w, -5}, {2 * w, 0, 0}, {0, 2 * w, 0}, glowing(vec3(1)));
   scene.bounds = compute_bounds(scene);
-  scene.background = vec3(0);
   const Traced<TypeParam> seen(scene, {{0, 0, 1}, {sine, 0, 0.2}, {0, 1, 0}, 1e-5}, 1, 1, 2);
   const double cos_in = 0.8, cos_out = std::sqrt(1 - inside * inside);
   const double parallel = (cos_in - cos_out / 1.5) / (cos_in + cos_out / 1.5);
