@@ -12,10 +12,12 @@
 #include "core/base/output_file.h"
 #include "core/image/contact_sheet.h"
 #include "core/image_io/encode_image.h"
+#include "core/render/aov.h"
 #include "core/render/file_sink.h"
 #include "core/render/fingerprint.h"
 #include "core/render/output_pattern.h"
 #include "core/render/timings_csv.h"
+#include "core/scene/topology_warnings.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -115,7 +117,7 @@ class Reporter {
 
  private:
   static void emit(const json& event) {
-    fmt::print("{}\n", event.dump());
+    fmt::print("{}\n", event.dump(-1, ' ', false, json::error_handler_t::replace));
     std::fflush(stdout);
   }
   const bool json_, verbose_;
@@ -146,6 +148,10 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   const Stopwatch loading;
   const RenderOptions options = with_scene_settings(command_line);
   const RenderJob job = make_render_job(options, warnings);
+  if (refracts(job.scene)) {  // else it is not worth the time: inspect tells
+    ThreadPool pool(job.threads);
+    topology_warnings(job.scene, build_topology(job.scene, pool), warnings);
+  }
   totals.load_ms = loading.elapsed_ms();
   const OutputPaths paths = prepare_output(output, options, job);
 
@@ -156,6 +162,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   TimingsCsv timings(paths.timings);
   FileSink sink(encode_image_file, job.threads, static_cast<size_t>(2 * job.threads));
 
+  const bool layered = keeps_layers(output_path(paths.pattern, job.frames.lowest()).string());
   Stopwatch rendering;
   const RunFacts facts = run(
       job,
@@ -174,11 +181,14 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
         const auto written = [&timings, number](double ms) { timings.file_written(number, ms); };
         const fs::path path = output_path(paths.pattern, number);
         totals.add(frame);
-        timings.add(frame, static_cast<int>(1 + frame.aovs.size()));
+        timings.add(frame, static_cast<int>(layered ? 1 : 1 + frame.aovs.size()));
         if (!output.contact_sheet.empty()) sheet.add(frame.picture);
         reporter.frame(frame, path);
-        for (AovImage& aov : frame.aovs)
-          sink.submit(output_path(paths.pattern, number, aov.name), std::move(aov.image), written, metadata);
+        if (layered) frame.picture.layers = std::move(frame.aovs);
+        else
+          for (const ImageLayer& aov : frame.aovs)
+            sink.submit(output_path(paths.pattern, number, aov.name),
+                        display_image(aov, frame.picture.width_px, frame.picture.height_px), written, metadata);
         sink.submit(path, std::move(frame.picture), written, metadata);
       });
   totals.rendering_ms = rendering.elapsed_ms();
@@ -191,7 +201,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   if (!output.contact_sheet.empty() && totals.frames > 0)
     sink.submit(output.contact_sheet, sheet.sheet());
   sink.drain();
-  write_file_atomically(paths.report, run_report(options, job, facts, totals, warnings).dump(2) + "\n");
+  write_file_atomically(paths.report, run_report(options, job, facts, totals, warnings).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 
   reporter.end(totals, stop_requested());
   if (!output.json && !output.quiet && paths.timings != "-") {

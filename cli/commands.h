@@ -17,6 +17,7 @@ using Command = std::function<ExitCode()>;
 void add_compare_command(CLI::App& app, Command& chosen);
 void add_golden_command(CLI::App& app, Command& chosen);
 void add_doctor_command(CLI::App& app, Command& chosen);
+void add_inspect_command(CLI::App& app, Command& chosen);
 void add_render_command(CLI::App& app, Command& chosen);
 void add_scene_command(CLI::App& app, Command& chosen);
 

@@ -41,6 +41,7 @@ ExitCode run(int argc, char** argv) {
   add_compare_command(app, chosen);
   add_golden_command(app, chosen);
   add_scene_command(app, chosen);
+  add_inspect_command(app, chosen);
   add_doctor_command(app, chosen);
 
   try {

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/scene_file.h"
+#include "core/render/default_view.h"
 #include "core/scene/scene_source.h"
 
 #include <CLI/CLI.hpp>
@@ -74,6 +75,24 @@ void parse_size(const std::string& text, RenderSettings& settings) {
   settings.height_px = height;
 }
 
+void parse_crop(const std::string& text, RenderSettings& settings) {
+  int numbers[4] = {};
+  std::string_view rest = text;
+  bool good = true;
+  for (int i = 0; i < 4 && good; ++i) {
+    const size_t comma = i < 3 ? rest.find(',') : rest.size();
+    good = comma != rest.npos && parse_number(rest.substr(0, comma), numbers[i]);
+    if (good && i < 3) rest.remove_prefix(comma + 1);
+  }
+  if (!good) throw error(ErrorKind::usage, "--crop {}: write X,Y,W,H in pixels, like 100,50,320,240", text);
+  const PixelRect crop{numbers[0], numbers[1], numbers[2], numbers[3]};
+  if (crop.x_px < 0 || crop.y_px < 0 || crop.width_px < 1 || crop.height_px < 1 ||
+      crop.x_px > settings.width_px - crop.width_px || crop.y_px > settings.height_px - crop.height_px)
+    throw error(ErrorKind::usage, "--crop {}: it must lie inside the frame of {}x{} pixels", text, settings.width_px,
+                settings.height_px);
+  settings.crop = crop;
+}
+
 uint32_t parse_aovs(const std::string& text) {
   uint32_t bits = 0;
   for (size_t begin = 0; !text.empty() && begin <= text.size();) {
@@ -95,6 +114,7 @@ void require_range(const char* option, long long value, long long lowest, long l
 RenderSettings make_settings(const RenderOptions& o) {
   RenderSettings s;
   parse_size(o.size, s);
+  if (!o.crop.empty()) parse_crop(o.crop, s);
   s.method = o.method;
   s.shadows = default_shadows(o.method);
   if (!o.shadows.empty()) by_name("--shadows", kShadows, s.shadows)(o.shadows);
@@ -159,7 +179,8 @@ void set_fov(CameraCourse& course, double fov) {
 }
 
 /// The camera that flags ask for, or else the scene's own, or else an orbit.
-CameraCourse make_course(const RenderOptions& o, const RenderJob& job, UpAxis up_axis, Warnings& warnings) {
+CameraCourse make_course(const RenderOptions& o, RenderJob& job, UpAxis up_axis, Surroundings& surroundings,
+                         ThreadPool& pool, Warnings& warnings) {
   const double fov = fov_y_rad(o);
   std::optional<CameraCourse> of_scene;
   if (o.camera.empty() && o.eye.empty() && is_scene_file(o.scene))
@@ -174,23 +195,28 @@ CameraCourse make_course(const RenderOptions& o, const RenderJob& job, UpAxis up
   } else if (of_scene) {
     course = *of_scene;
   } else {
-    const RenderSettings& s = job.settings;
-    const Orbit orbit = default_orbit(job.scene, static_cast<double>(s.width_px) / s.height_px, fov);
-    course = orbit;
-    if (!o.eye.empty()) course = still_camera(o, up_axis, orbit.target_world, warnings);
+    const double aspect = static_cast<double>(job.settings.width_px) / job.settings.height_px;
+    if (o.eye.empty()) {
+      job.caster = make_scene_caster(job.scene, job.accel, pool);
+      const DefaultView view = choose_default_view(job.scene, *job.caster.caster, aspect, fov);
+      surroundings = view.surroundings;
+      course = view.orbit;
+    } else {
+      course = still_camera(o, up_axis, default_orbit(job.scene, aspect, fov).target_world, warnings);
+    }
   }
   if (o.fov_deg || !o.eye.empty()) set_fov(course, fov);
   return course;
 }
 
 LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_axis,
-                       const std::optional<DirectionalLight>& of_scene) {
+                       const std::optional<DirectionalLight>& of_scene, Surroundings surroundings) {
   const int first = job.motion.sequence.first;
   const auto* path = std::get_if<CameraPath>(&job.motion.course);
   const std::optional<dvec3> keyed = path ? light_on_path(*path, first) : std::nullopt;
   LightMotion motion;
-  // By default a white surface that faces it is just white.
-  motion.light.color = of_scene ? of_scene->color : glm::max(vec3(1) - job.settings.ambient, vec3(0));
+  motion.light = default_light(surroundings, camera_at(job.motion, first), job.settings.ambient);
+  if (of_scene) motion.light.color = of_scene->color;
   if (!o.light.empty()) {
     const dvec3 toward = parse_vector("--light", o.light);
     if (toward == dvec3(0)) throw error(ErrorKind::usage, "--light {}: it must not be zero", o.light);
@@ -200,9 +226,10 @@ LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_a
     motion.mode = LightMode::with_path;
   } else if (of_scene) {
     motion.light.toward = y_up_from_files(up_axis, of_scene->toward);
-  } else {
-    motion.light.toward = default_light_toward(camera_at(job.motion, first));
+  } else if (surroundings == Surroundings::inside) {
+    motion.mode = LightMode::with_camera;
   }
+  if (!o.light.empty() || keyed || of_scene) motion.light.casts_shadow = true;
   if (o.light_follows.empty()) return motion;
   if (o.light_follows != "camera")
     throw error(ErrorKind::usage, "--light-follows {}: not known; one of camera", o.light_follows);
@@ -238,7 +265,9 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--sequence", o.sequence, "The whole that the frames belong to (default: first to last frame)")
       ->type_name("A-B")->group(picture);
   app.add_option("--size", o.size, "Pixels (default 1024x768)")->type_name("WxH")->group(picture);
-  app.add_option("--aov", o.aovs, "Also write: id,shadow,marked,traced,depth,normal")->type_name("LIST")->group(picture);
+  app.add_option("--crop", o.crop, "Render this part of the frame only")->type_name("X,Y,W,H")->group(picture);
+  app.add_option("--aov", o.aovs, "Also write: id,shadow,marked,traced,depth,normal (files of their own; layers of an "
+                 ".exr)")->type_name("LIST")->group(picture);
 
   const char* method = "Method";
   app.add_option_function("--method", by_name("--method", kMethods, o.method),
@@ -338,8 +367,9 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings)
   ThreadPool pool(job.threads);
   job.scene = load_scene(o.scene, pool, warnings, up_axis);
   job.motion.sequence = make_sequence(o, job.frames);
-  job.motion.course = make_course(o, job, up, warnings);
-  job.light = make_light(o, job, up, scene.light);
+  Surroundings surroundings = Surroundings::outside;
+  job.motion.course = make_course(o, job, up, surroundings, pool, warnings);
+  job.light = make_light(o, job, up, scene.light, surroundings);
   return job;
 }
 

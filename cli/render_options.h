@@ -24,7 +24,7 @@ struct RenderOptions {
   std::string eye, target, up, light;  ///< X,Y,Z, in the axes of the scene's files
   std::string light_follows;           ///< empty or "camera"
   std::optional<double> fov_deg;       ///< default 45, or what the camera path says
-  std::string size = "1024x768";
+  std::string size = "1024x768", crop;
   Method method = Method::hybrid;
   std::string shadows;  ///< empty: the method's default
   int blur_kernel = 5, shadow_map = 2048, reflection_depth = 4;

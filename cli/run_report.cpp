@@ -49,6 +49,8 @@ std::string processor_name() {
 std::string settings_line(const RenderSettings& s) {
   std::string line = fmt::format("{}x{} method {} shadows {} reflection-depth {}", s.width_px, s.height_px,
                                  name_of(s.method), name_of(s.shadows), s.reflection_depth);
+  if (s.crop)
+    line += fmt::format(" crop {},{},{},{}", s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px);
   if (s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur) line += fmt::format(" shadow-map {}", s.shadow_map_px);
   if (s.shadows == ShadowMode::blur) line += fmt::format(" blur-kernel {}", s.blur_kernel_px);
   return line;
@@ -66,7 +68,8 @@ std::string summary_table(const RenderJob& job, const RunTotals& totals) {
 
   const TraceStats& s = totals.stats;
   const bool rasterised = job.settings.method == Method::hybrid || job.settings.method == Method::raster;
-  const int64_t primary = totals.frames * job.settings.width_px * job.settings.height_px;
+  const PixelRect picture = picture_rect(job.settings);
+  const int64_t primary = totals.frames * picture.width_px * picture.height_px;
   out += fmt::format("{:<26} {:>12} {:>12}\n", "rays", "fired", "saved");
   out += fmt::format("{:<26} {:>12} {:>12}\n", "primary", rays(rasterised ? 0 : primary), rays(rasterised ? primary : 0));
   const int64_t receivers_untraced = std::max<int64_t>(0, s.pixels_hit - s.primary_shadow_rays);
@@ -91,6 +94,8 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
                         {"sequence", {job.motion.sequence.first, job.motion.sequence.last}},
                         {"width", s.width_px},
                         {"height", s.height_px},
+                        {"crop", s.crop ? json{s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px}
+                                        : json(nullptr)},
                         {"method", name_of(s.method)},
                         {"shadows", name_of(s.shadows)},
                         {"blur_kernel", s.blur_kernel_px},

@@ -37,11 +37,11 @@ scripts/build.sh release hybridrt
 
 mkdir -p "$folder"
 rm -f "$folder"/*.png
-default_option --frames 1-36
-default_option --size 1024x768
+default_option --frames 1-72
+default_option --size 1280x720
 
 announce_first_image &
 watcher=$!
 trap 'kill "$watcher" 2>/dev/null || true' EXIT
-build/release/bin/hybridrt render scene:spheres,triangles=100000,reflective=15 \
+build/release/bin/hybridrt render scene:spheres,triangles=200000,reflective=15 \
   -o "$folder/frame.####.png" --contact-sheet "$folder/contact_sheet.png" "${options[@]}"

@@ -15,12 +15,17 @@ layout(binding = HRT_UNIT_TRIANGLE_POSITIONS) uniform usamplerBuffer triangle_po
 uniform vec3 eye_high;
 uniform vec3 eye_low;
 
-// Direction, not unit, through the centre of pixel (x, y), row 0 on top: first + x * step_x + y * step_y.
+// Direction, not unit, through the centre of the frame's pixel (x, y), row 0 on top: first + x * step_x +
+// y * step_y. The picture may be a part of the frame, from its pixel (first_pixel_x, first_pixel_y) on.
 uniform vec3 ray_first;
 uniform vec3 ray_step_x;
 uniform vec3 ray_step_y;
+uniform int first_pixel_x;
+uniform int first_pixel_y;
 
-vec3 pixel_ray(ivec2 pixel) { return ray_first + float(pixel.x) * ray_step_x + float(pixel.y) * ray_step_y; }
+vec3 pixel_ray(ivec2 pixel) {
+  return ray_first + float(first_pixel_x + pixel.x) * ray_step_x + float(first_pixel_y + pixel.y) * ray_step_y;
+}
 
 struct Triangle {
   vec3 p0, p1, p2;  // relative to the eye

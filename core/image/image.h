@@ -1,14 +1,25 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace hybridrt {
 
+/// More channels of a picture's pixels, under names of their own.
+struct ImageLayer {
+  std::string name;                   ///< id, depth, normal, …
+  std::vector<std::string> channels;  ///< "X", "Y", "Z"; a single unnamed one: ""
+  std::vector<float> values;          ///< a value a channel and pixel, interleaved; or else
+  std::vector<uint32_t> numbers;      ///< a whole number a channel and pixel
+};
+
 /// Linear light unless said otherwise; row 0 on top, pixels left to right, channels interleaved.
 struct Image {
   int width_px = 0, height_px = 0, channels = 0;
-  std::vector<float> data;  ///< width_px * height_px * channels
+  std::vector<float> data;         ///< width_px * height_px * channels
+  std::vector<ImageLayer> layers;  ///< kept only by formats that name their channels (EXR)
 
   Image() = default;
   Image(int width, int height, int channel_count, float fill = 0)

@@ -3,6 +3,8 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -99,9 +101,50 @@ OIIO::ImageSpec make_spec(const Image& image, std::string_view format, bool is_f
   return spec;
 }
 
+/// Adds the layers' channels behind the image's own. EXR files hold a file's channels by name.
+void describe_layers(const Image& image, OIIO::ImageSpec& spec) {
+  spec.default_channel_names();
+  spec.channelformats.assign(static_cast<size_t>(image.channels), OIIO::TypeFloat);
+  for (const ImageLayer& layer : image.layers)
+    for (const std::string& channel : layer.channels) {
+      HRT_CHECK_EQ(layer.values.size() + layer.numbers.size(), image.pixel_count() * layer.channels.size());
+      spec.channelnames.push_back(channel.empty() ? layer.name : layer.name + "." + channel);
+      spec.channelformats.push_back(layer.numbers.empty() ? OIIO::TypeFloat : OIIO::TypeUInt32);
+    }
+  spec.nchannels = static_cast<int>(spec.channelnames.size());
+}
+
+/// Pixel by pixel the image's channels and then the layers'; every one takes four bytes.
+std::vector<uint32_t> interleaved_with_layers(const Image& image) {
+  std::vector<uint32_t> words;
+  for (size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
+    const auto add = [&](const auto& values, size_t channels) {
+      for (size_t c = 0; c < channels; ++c) words.push_back(std::bit_cast<uint32_t>(values[pixel * channels + c]));
+    };
+    add(image.data, static_cast<size_t>(image.channels));
+    for (const ImageLayer& layer : image.layers)
+      if (layer.numbers.empty()) add(layer.values, layer.channels.size());
+      else add(layer.numbers, layer.channels.size());
+  }
+  return words;
+}
+
+void require_finite_layers(const Image& image, const std::string& name) {
+  for (const ImageLayer& layer : image.layers)
+    for (float value : layer.values)
+      if (!std::isfinite(value))
+        throw error(ErrorKind::output, "{}: not written: its layer {} has a value that is not a finite number", name,
+                    layer.name);
+}
+
 }  // namespace
 
 bool can_write_format(const std::string& format_or_name) { return create_writer(format_or_name) != nullptr; }
+
+bool keeps_layers(const std::string& format_or_name) {
+  const Output writer = create_writer(format_or_name);
+  return writer && std::string_view(writer->format_name()) == "openexr";
+}
 
 void require_writable_format(const std::filesystem::path& name) { require_writer(name.string()); }
 
@@ -124,7 +167,12 @@ std::vector<unsigned char> encode_image(const Image& linear, const std::string& 
 
   const Image image = with_writable_channels(linear, *writer);
   const bool is_float = format == "openexr" || format == "hdr";
-  const OIIO::ImageSpec spec = make_spec(image, format, is_float, metadata);
+  const bool layered = format == "openexr" && !image.layers.empty();
+  OIIO::ImageSpec spec = make_spec(image, format, is_float, metadata);
+  if (layered) {
+    require_finite_layers(image, format_or_name);
+    describe_layers(image, spec);
+  }
   writer->threads(1);
   std::string file_name = "memory." + extension_of(format_or_name);  // JPEG 2000 and PNM have kinds
   if (writer->supports("ioproxy"))
@@ -133,8 +181,10 @@ std::vector<unsigned char> encode_image(const Image& linear, const std::string& 
     file_name = file.emplace().path();
 
   const std::vector<uint8_t> codes = is_float ? std::vector<uint8_t>() : srgb8_from_linear(image);
+  const std::vector<uint32_t> words = layered ? interleaved_with_layers(image) : std::vector<uint32_t>();
   const bool written =
-      writer->open(file_name, spec) && (is_float ? writer->write_image(OIIO::TypeFloat, image.data.data())
+      writer->open(file_name, spec) && (layered    ? writer->write_image(OIIO::TypeUnknown, words.data())
+                                        : is_float ? writer->write_image(OIIO::TypeFloat, image.data.data())
                                                  : writer->write_image(OIIO::TypeUInt8, codes.data()));
   if (!writer->close() || !written)
     throw error(ErrorKind::output, "{}: cannot be encoded: {}; choose another format or size", format_or_name,

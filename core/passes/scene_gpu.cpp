@@ -86,6 +86,8 @@ void set_view_uniforms(const gl::Program& program, const View& view) {
   program.set("ray_first", vec3(view.ray_first()));
   program.set("ray_step_x", vec3(view.ray_step_x()));
   program.set("ray_step_y", vec3(view.ray_step_y()));
+  program.set("first_pixel_x", view.x_px);
+  program.set("first_pixel_y", view.y_px);
 }
 
 int group_count(int size_px) { return (size_px + HRT_GROUP_PX - 1) / HRT_GROUP_PX; }

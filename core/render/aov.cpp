@@ -1,20 +1,20 @@
 #include "core/render/aov.h"
 
+#include "core/base/check.h"
 #include "core/trace/surface_at.h"
 #include "shaders/shared.h"
+
+#include <algorithm>
 
 namespace hybridrt {
 namespace {
 
-template <typename ColorOf>
-AovImage make_image(const char* name, const View& view, const ColorOf& color_of) {
-  AovImage aov{name, Image(view.width_px, view.height_px, 3)};
-  for (int y = 0; y < view.height_px; ++y)
-    for (int x = 0; x < view.width_px; ++x) {
-      const vec3 color = color_of(static_cast<size_t>(y) * view.width_px + x, x, y);
-      std::copy(&color.x, &color.x + 3, aov.image.pixel(x, y));
-    }
-  return aov;
+/// Calls body(index of the pixel in the source, x, y) for the kept pixels, row by row.
+template <typename Body>
+void for_each_kept(const View& view, const PixelRect& kept, const Body& body) {
+  for (int y = kept.y_px; y < kept.y_px + kept.height_px; ++y)
+    for (int x = kept.x_px; x < kept.x_px + kept.width_px; ++x)
+      body(static_cast<size_t>(y) * view.width_px + x, x, y);
 }
 
 /// Neighbouring numbers get unlike colours (the finaliser of MurmurHash3).
@@ -35,48 +35,74 @@ Surface<double> surface_of(const Scene& scene, const View& view, uint32_t triang
   return surface_at(scene, triangle, weights.y, weights.z, dir);
 }
 
-AovImage depth_image(const Scene& scene, const View& view, std::span<const uint32_t> ids) {
-  float farthest = 0;
-  AovImage aov = make_image("depth", view, [&](size_t i, int x, int y) {
-    if (ids.empty() || ids[i] == kNoTriangle) return vec3(0);
-    const double depth = glm::dot(surface_of(scene, view, ids[i], x, y).point - view.eye, view.forward);
-    farthest = std::max(farthest, static_cast<float>(depth));
-    return vec3(static_cast<float>(depth));
-  });
-  if (farthest > 0)
-    for (float& value : aov.image.data) value /= farthest;
-  return aov;
-}
-
 }  // namespace
 
-std::vector<AovImage> make_aovs(const Scene& scene, const View& view, const AovSource& source, uint32_t aovs) {
+std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept, const AovSource& source,
+                                  uint32_t aovs) {
   const auto id = [&](size_t i) { return source.ids.empty() ? kNoTriangle : source.ids[i]; };
-  std::vector<AovImage> images;
-  if (aovs & kAovId)
-    images.push_back(make_image("id", view, [&](size_t i, int, int) {
-      return id(i) == kNoTriangle ? vec3(0) : hashed_color(id(i));
-    }));
+  const auto bit = [](std::span<const uint8_t> mask, size_t i, int which) {
+    return !mask.empty() && (mask[i] & which) ? 1.0f : 0.0f;
+  };
+  std::vector<ImageLayer> layers;
+  // One value a pixel, or three.
+  const auto add_values = [&](const char* name, const auto& value_of) {
+    ImageLayer& layer = layers.emplace_back(ImageLayer{name, {""}, {}, {}});
+    for_each_kept(view, kept, [&](size_t i, int x, int y) { layer.values.push_back(value_of(i, x, y)); });
+  };
+  const auto add_vectors = [&](const char* name, std::vector<std::string> channels, const auto& vector_of) {
+    ImageLayer& layer = layers.emplace_back(ImageLayer{name, std::move(channels), {}, {}});
+    for_each_kept(view, kept, [&](size_t i, int x, int y) {
+      const vec3 v = vector_of(i, x, y);
+      layer.values.insert(layer.values.end(), &v.x, &v.x + 3);
+    });
+  };
+
+  if (aovs & kAovId) {
+    ImageLayer& layer = layers.emplace_back(ImageLayer{"id", {""}, {}, {}});
+    for_each_kept(view, kept, [&](size_t i, int, int) { layer.numbers.push_back(id(i)); });
+  }
   if (aovs & kAovShadow)
-    images.push_back(make_image("shadow", view, [&](size_t i, int, int) {
-      const auto mask = source.lit.empty() ? source.mask : source.lit;
-      return vec3(!mask.empty() && (mask[i] & HRT_MASK_LIT) ? 1.0f : 0.0f);
-    }));
+    add_values("shadow", [&](size_t i, int, int) {
+      return bit(source.lit.empty() ? source.mask : source.lit, i, HRT_MASK_LIT);
+    });
   if (aovs & kAovMarked)
-    images.push_back(make_image("marked", view, [&](size_t i, int, int) {
-      return vec3(!source.mask.empty() && (source.mask[i] & HRT_MASK_MARKED) ? 1.0f : 0.0f);
-    }));
+    add_values("marked", [&](size_t i, int, int) { return bit(source.mask, i, HRT_MASK_MARKED); });
   if (aovs & kAovTraced)
-    images.push_back(make_image("traced", view, [&](size_t i, int, int) {
+    add_vectors("traced", {"R", "G", "B"}, [&](size_t i, int, int) {
       return source.traced.empty() ? vec3(0) : vec3(source.traced[i]);
-    }));
-  if (aovs & kAovDepth) images.push_back(depth_image(scene, view, source.ids));
+    });
+  if (aovs & kAovDepth)
+    add_values("depth", [&](size_t i, int x, int y) {
+      if (id(i) == kNoTriangle) return 0.0f;
+      return static_cast<float>(glm::dot(surface_of(scene, view, id(i), x, y).point - view.eye, view.forward));
+    });
   if (aovs & kAovNormal)
-    images.push_back(make_image("normal", view, [&](size_t i, int x, int y) {
-      if (id(i) == kNoTriangle) return vec3(0);
-      return vec3(0.5) + 0.5f * vec3(surface_of(scene, view, id(i), x, y).normal);
-    }));
-  return images;
+    add_vectors("normal", {"X", "Y", "Z"}, [&](size_t i, int x, int y) {
+      return id(i) == kNoTriangle ? vec3(0) : vec3(surface_of(scene, view, id(i), x, y).normal);
+    });
+  return layers;
+}
+
+Image display_image(const ImageLayer& aov, int width_px, int height_px) {
+  Image image(width_px, height_px, 3);
+  const size_t pixels = image.pixel_count(), channels = aov.channels.size();
+  HRT_CHECK_EQ(aov.values.size() + aov.numbers.size(), pixels * channels);
+  const float farthest =
+      aov.name == "depth" && pixels > 0 ? *std::max_element(aov.values.begin(), aov.values.end()) : 0;
+  const float scale = farthest > 0 ? 1 / farthest : 1;
+  for (size_t i = 0; i < pixels; ++i) {
+    vec3 color(0);
+    if (!aov.numbers.empty()) {
+      if (aov.numbers[i] != kNoTriangle) color = hashed_color(aov.numbers[i]);
+    } else if (channels == 1) {
+      color = vec3(scale * aov.values[i]);
+    } else {
+      color = vec3(aov.values[3 * i], aov.values[3 * i + 1], aov.values[3 * i + 2]);
+      if (aov.name == "normal" && color != vec3(0)) color = vec3(0.5f) + 0.5f * color;
+    }
+    std::copy(&color.x, &color.x + 3, &image.data[3 * i]);
+  }
+  return image;
 }
 
 }  // namespace hybridrt

@@ -15,7 +15,18 @@ struct AovSource {
   std::span<const vec4> traced;
 };
 
-/// The pictures that `aovs` (Aov bits) asks for, black where the frame had nothing to say.
-std::vector<AovImage> make_aovs(const Scene& scene, const View& view, const AovSource& source, uint32_t aovs);
+/// What `aovs` (Aov bits) asks for, over the part `kept` of the view's pixels, 0 where the frame had nothing to
+/// say:
+///  - id: triangle numbers, kNoTriangle where none is seen
+///  - shadow, marked: 1 or 0
+///  - traced: R, G, B, linear
+///  - depth: distance along the view, in scene units
+///  - normal: X, Y, Z of the shading normal, -1..1
+std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept, const AovSource& source,
+                                  uint32_t aovs);
+
+/// An AOV as a picture to look at, linear: ids hashed to colours, depth as a share of the picture's farthest,
+/// normals as (n + 1) / 2, black where nothing is seen.
+Image display_image(const ImageLayer& aov, int width_px, int height_px);
 
 }  // namespace hybridrt

@@ -9,7 +9,8 @@ template <typename Real>
 void render_on_cpu(const Scene& scene, const RenderSettings& settings, const RayCaster<Real>& caster, ThreadPool& pool,
                    const NextFrame& next, const DeliverFrame& deliver) {
   const SceneFacts facts = make_scene_facts(scene);
-  const size_t pixels = static_cast<size_t>(settings.width_px) * settings.height_px;
+  const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
+  const size_t pixels = static_cast<size_t>(part.width_px) * part.height_px;
   std::vector<vec4> picture(pixels);
   std::vector<uint32_t> ids(pixels);
   std::vector<uint8_t> lit(pixels);
@@ -17,7 +18,7 @@ void render_on_cpu(const Scene& scene, const RenderSettings& settings, const Ray
   Stopwatch since_last_frame;
   while (const std::optional<FrameRequest> request = next()) {
     const FramePlan plan = make_frame_plan(scene, facts, *request, settings);
-    const TraceJob job{scene, plan.view, plan.light, settings.shadows != ShadowMode::none, settings.reflection_depth,
+    const TraceJob job{scene, plan.view, plan.light, plan.shadows, settings.reflection_depth,
                        settings.ambient, settings.background};
     const Stopwatch tracing;
     Frame frame;
@@ -26,9 +27,9 @@ void render_on_cpu(const Scene& scene, const RenderSettings& settings, const Ray
     frame.timings[PassId::trace] = tracing.elapsed_ms();
 
     const Stopwatch unpacking;
-    frame.picture = picture_from_rgba(picture.data(), settings.width_px, settings.height_px, frame.stats.pixels_hit);
+    frame.picture = picture_from_rgba(picture.data(), part.width_px, part.height_px, kept, frame.stats.pixels_hit);
     frame.timings[PassId::download] = unpacking.elapsed_ms();
-    frame.aovs = make_aovs(scene, plan.view, {ids, {}, lit, {}}, settings.aovs);
+    frame.aovs = make_aovs(scene, plan.view, kept, {ids, {}, lit, {}}, settings.aovs);
     frame.timings.wall_ms = since_last_frame.elapsed_ms();
     since_last_frame.restart();
     deliver(std::move(frame));

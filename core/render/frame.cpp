@@ -2,25 +2,28 @@
 
 #include "core/base/error.h"
 
+#include <algorithm>
+
 namespace hybridrt {
 
-Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, int64_t& pixels_hit) {
-  Image picture(width_px, height_px, 3);
+Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const PixelRect& kept, int64_t& pixels_hit) {
+  const auto unwritten = [](const vec4& pixel) { return pixel.a != 1.0f && pixel.a != 0.0f; };
+  const size_t count = static_cast<size_t>(width_px) * height_px;
+  if (const auto bad = std::count_if(rgba, rgba + count, unwritten))
+    throw error(ErrorKind::device, "the GL driver left {} of {} pixels unwritten", bad, count);
+
+  Image picture(kept.width_px, kept.height_px, 3);
   float* out = picture.data.data();
-  int64_t hit = 0, background = 0;
-  const size_t count = picture.pixel_count();
-  for (size_t i = 0; i < count; ++i) {
-    const vec4& pixel = rgba[i];
-    hit += pixel.a == 1.0f;
-    background += pixel.a == 0.0f;
-    *out++ = pixel.r;
-    *out++ = pixel.g;
-    *out++ = pixel.b;
+  pixels_hit = 0;
+  for (int y = kept.y_px; y < kept.y_px + kept.height_px; ++y) {
+    const vec4* row = rgba + static_cast<size_t>(y) * width_px + kept.x_px;
+    for (int x = 0; x < kept.width_px; ++x) {
+      pixels_hit += row[x].a == 1.0f;
+      *out++ = row[x].r;
+      *out++ = row[x].g;
+      *out++ = row[x].b;
+    }
   }
-  if (hit + background != static_cast<int64_t>(count))
-    throw error(ErrorKind::device, "the GL driver left {} of {} pixels unwritten",
-                static_cast<int64_t>(count) - hit - background, count);
-  pixels_hit = hit;
   return picture;
 }
 

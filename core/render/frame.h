@@ -12,17 +12,11 @@
 
 namespace hybridrt {
 
-/// A picture kept beside the final one.
-struct AovImage {
-  std::string name;  ///< as in file names: id, shadow, marked, traced, depth, normal
-  Image image;
-};
-
 /// A finished frame.
 struct Frame {
   int number = 1;
   Image picture;  ///< three channels, linear
-  std::vector<AovImage> aovs;
+  std::vector<ImageLayer> aovs;  ///< what else was asked for (aov.h), of the same pixels
   FrameTimings timings;
   TraceStats stats;
 };
@@ -31,9 +25,9 @@ struct Frame {
 using NextFrame = std::function<std::optional<FrameRequest>()>;
 using DeliverFrame = std::function<void(Frame&&)>;
 
-/// Splits RGBA pixels (alpha 1 where a surface is seen, 0 elsewhere) into a three-channel picture and the
-/// number of pixels that see a surface. Throws Error(device) at any other alpha: the pixels were never
+/// Splits RGBA pixels (alpha 1 where a surface is seen, 0 elsewhere), or the part `kept` of them, into a
+/// three-channel picture and the number of its pixels that see a surface. Throws Error(device) at any other alpha: the pixels were never
 /// written.
-Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, int64_t& pixels_hit);
+Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const PixelRect& kept, int64_t& pixels_hit);
 
 }  // namespace hybridrt

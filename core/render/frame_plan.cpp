@@ -32,15 +32,19 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
                           const RenderSettings& settings) {
   FramePlan plan;
   plan.number = request.number;
-  plan.view = make_view(request.camera, scene.origin_world, settings.width_px, settings.height_px);
+  const PixelRect part = rendered_rect(settings);
+  plan.view = part_of(make_view(request.camera, scene.origin_world, settings.width_px, settings.height_px), part.x_px,
+                      part.y_px, part.width_px, part.height_px);
   plan.light = request.light;
   const double size = glm::length(dvec3(facts.bounds.extent()));
   plan.near_distance = 1e-5 * std::max(size, 1e-30);
 
   const bool hybrid = settings.method == Method::hybrid;
-  plan.shadow_map = settings.shadows == ShadowMode::map || settings.shadows == ShadowMode::blur;
-  plan.mark = settings.shadows == ShadowMode::blur;
-  plan.trace_shadows = hybrid && (plan.mark || settings.shadows == ShadowMode::rays);
+  const ShadowMode shadows = request.light.casts_shadow ? settings.shadows : ShadowMode::none;
+  plan.shadows = shadows != ShadowMode::none;
+  plan.shadow_map = shadows == ShadowMode::map || shadows == ShadowMode::blur;
+  plan.mark = shadows == ShadowMode::blur;
+  plan.trace_shadows = hybrid && (plan.mark || shadows == ShadowMode::rays);
   plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
 
   const uint32_t from_ids = kAovId | kAovDepth | kAovNormal;

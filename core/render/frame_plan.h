@@ -29,6 +29,7 @@ struct FramePlan {
   double near_distance = 0;  ///< nearer surfaces are cut away by pass 2
   DirectionalLight light;
 
+  bool shadows = false;          ///< at all, in mirrors too
   bool shadow_map = false;       ///< pass 1 and the shadow test of pass 2
   bool mark = false;             ///< pass 3
   bool trace_shadows = false;    ///< pass 4 decides which pixels are lit

@@ -3,15 +3,17 @@
 namespace hybridrt {
 namespace {
 
-size_t pixel_count(const RenderSettings& s) { return static_cast<size_t>(s.width_px) * s.height_px; }
+int width(const RenderSettings& s) { return rendered_rect(s).width_px; }
+int height(const RenderSettings& s) { return rendered_rect(s).height_px; }
+size_t pixel_count(const RenderSettings& s) { return static_cast<size_t>(width(s)) * height(s); }
 
 }  // namespace
 
 FrameSlot::FrameSlot(const gl::Functions& gl, const RenderSettings& s, const gl::Texture& depth)
-    : ids(gl, GL_R32UI, s.width_px, s.height_px, "ids"),
-      mask(gl, GL_R8UI, s.width_px, s.height_px, "shadow mask"),
-      lit(gl, GL_R8UI, s.width_px, s.height_px, "lit"),
-      traced(gl, GL_RGBA32F, s.width_px, s.height_px, "traced"),
+    : ids(gl, GL_R32UI, width(s), height(s), "ids"),
+      mask(gl, GL_R8UI, width(s), height(s), "shadow mask"),
+      lit(gl, GL_R8UI, width(s), height(s), "lit"),
+      traced(gl, GL_RGBA32F, width(s), height(s), "traced"),
       id_target(gl, &ids, depth, "ids"),
       ids_readback(gl, pixel_count(s) * sizeof(uint32_t), "reading back ids"),
       mask_readback(gl, pixel_count(s), "reading back the shadow mask"),

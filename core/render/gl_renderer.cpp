@@ -42,17 +42,19 @@ GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shad
       shadow_test_pass_(gl_, shaders),
       mark_pass_(gl_, shaders),
       shade_pass_(gl_, shaders),
-      depth_(gl_, GL_DEPTH_COMPONENT32F, s.width_px, s.height_px, "depth"),
-      picture_(gl_, GL_RGBA32F, s.width_px, s.height_px, "picture"),
-      picture_readback_(gl_, sizeof(vec4) * static_cast<size_t>(s.width_px) * s.height_px, "downloading the picture") {
+      part_(rendered_rect(s)),
+      depth_(gl_, GL_DEPTH_COMPONENT32F, part_.width_px, part_.height_px, "depth"),
+      picture_(gl_, GL_RGBA32F, part_.width_px, part_.height_px, "picture"),
+      picture_readback_(gl_, sizeof(vec4) * static_cast<size_t>(part_.width_px) * part_.height_px,
+                        "downloading the picture") {
   HRT_CHECK(caster || !may_trace(facts_, s));
   if (uses_shadow_map(s)) {
     shadow_map_ = {gl_, GL_DEPTH_COMPONENT32F, s.shadow_map_px, s.shadow_map_px, "shadow map"};
     shadow_map_target_ = {gl_, nullptr, shadow_map_, "shadow map"};
   }
   if (s.shadows == ShadowMode::blur) {
-    unmarked_mask_ = {gl_, GL_R8UI, s.width_px, s.height_px, "unmarked shadow mask"};
-    row_sums_ = {gl_, GL_RG8UI, s.width_px, s.height_px, "blurred rows"};
+    unmarked_mask_ = {gl_, GL_R8UI, part_.width_px, part_.height_px, "unmarked shadow mask"};
+    row_sums_ = {gl_, GL_RG8UI, part_.width_px, part_.height_px, "blurred rows"};
   }
   for (int i = 0; i < s.frames_in_flight; ++i) slots_.emplace_back(gl_, s, depth_);
 }
@@ -139,7 +141,7 @@ void GlRenderer::trace(FrameSlot& slot) {
   slot.trace_ms = 0;
   if (!slot.plan.trace()) return;
   const Stopwatch stopwatch;
-  const TraceJob job{scene_, slot.plan.view, slot.plan.light, settings_.shadows != ShadowMode::none,
+  const TraceJob job{scene_, slot.plan.view, slot.plan.light, slot.plan.shadows,
                      settings_.reflection_depth, settings_.ambient, settings_.background};
   TracePixels pixels{slot.read_ids(), slot.read_mask(), {}, {}};
   if (slot.plan.trace_shadows) pixels.lit = slot.lit_pixels;
@@ -179,8 +181,9 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   frame.number = plan.number;
   frame.stats = slot.stats;
   const Stopwatch unpacking;
+  const PixelRect kept = kept_of_rendered(settings_);
   frame.picture =
-      picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), width, height, frame.stats.pixels_hit);
+      picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), width, height, kept, frame.stats.pixels_hit);
   const double unpacking_ms = unpacking.elapsed_ms();
   for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
   frame.timings[PassId::trace] = slot.trace_ms;
@@ -189,7 +192,7 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   AovSource source{slot.read_ids(), slot.read_mask(), {}, {}};
   if (plan.trace_shadows) source.lit = slot.lit_pixels;
   if (plan.trace_scattered) source.traced = slot.traced_pixels;
-  frame.aovs = make_aovs(scene_, plan.view, source, settings_.aovs);
+  frame.aovs = make_aovs(scene_, plan.view, kept, source, settings_.aovs);
   return frame;
 }
 

@@ -50,6 +50,8 @@ class GlRenderer {
   MarkBoundaryPass mark_pass_;
   ShadePass shade_pass_;
 
+  const PixelRect part_;  ///< of the frame, rendered
+
   // Used within one stage only, so one of each serves all slots.
   gl::Texture depth_, unmarked_mask_, row_sums_, picture_;
   gl::Readback picture_readback_;

@@ -5,6 +5,7 @@
 #include "core/render/frame.h"
 #include "core/render/frame_spec.h"
 #include "core/render/motion.h"
+#include "core/render/scene_caster.h"
 
 #include <functional>
 #include <string>
@@ -19,6 +20,7 @@ struct RenderJob {
   CameraMotion motion;
   LightMotion light;
   Accel accel = Accel::embree;
+  SceneCaster<float> caster;  ///< of `scene` by `accel`, if it was needed already; else run() builds one
   int threads = 1;
   gl::ContextRequest gl;      ///< its `threads` is set from `threads`
   gl::ShaderSources shaders;  ///< for the methods that use GL

@@ -2,6 +2,8 @@
 
 #include "core/base/error.h"
 
+#include <algorithm>
+
 namespace hybridrt {
 
 std::string_view name_of(Method method) {
@@ -25,6 +27,22 @@ std::string_view name_of(ShadowMode shadows) {
 }
 
 std::string_view name_of(Accel accel) { return accel == Accel::kdtree ? "kdtree" : "embree"; }
+
+PixelRect picture_rect(const RenderSettings& s) { return s.crop.value_or(PixelRect{0, 0, s.width_px, s.height_px}); }
+
+PixelRect rendered_rect(const RenderSettings& s) {
+  const PixelRect picture = picture_rect(s);
+  const int margin = s.shadows == ShadowMode::blur ? s.blur_kernel_px / 2 : 0;
+  const int x0 = std::max(0, picture.x_px - margin), y0 = std::max(0, picture.y_px - margin);
+  const int x1 = std::min(s.width_px, picture.x_px + picture.width_px + margin);
+  const int y1 = std::min(s.height_px, picture.y_px + picture.height_px + margin);
+  return {x0, y0, x1 - x0, y1 - y0};
+}
+
+PixelRect kept_of_rendered(const RenderSettings& s) {
+  const PixelRect picture = picture_rect(s), rendered = rendered_rect(s);
+  return {picture.x_px - rendered.x_px, picture.y_px - rendered.y_px, picture.width_px, picture.height_px};
+}
 
 void require_method_takes(Method method, ShadowMode shadows) {
   const bool on_gpu = method == Method::hybrid || method == Method::raster;

@@ -3,6 +3,7 @@
 #include "core/base/math.h"
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace hybridrt {
@@ -25,9 +26,15 @@ enum Aov : uint32_t {
   kAovNormal = 32,  ///< shading normal, (n + 1) / 2
 };
 
+/// A part of a frame; row 0 on top.
+struct PixelRect {
+  int x_px = 0, y_px = 0, width_px = 0, height_px = 0;
+};
+
 /// How frames are rendered; what is in them is Scene's and Camera's part.
 struct RenderSettings {
-  int width_px = 1024, height_px = 768;
+  int width_px = 1024, height_px = 768;  ///< of the frame
+  std::optional<PixelRect> crop;         ///< the part of it that becomes the picture; inside the frame
   Method method = Method::hybrid;
   ShadowMode shadows = ShadowMode::blur;
   int blur_kernel_px = 5;    ///< odd, 1..31
@@ -38,6 +45,16 @@ struct RenderSettings {
   vec3 ambient{0.15f};       ///< light from everywhere, times Kd; linear
   vec3 background{0.7f};     ///< linear
 };
+
+/// The part of the frame that is delivered: the crop or all.
+PixelRect picture_rect(const RenderSettings& settings);
+
+/// The part that is rendered for it: what pass 3 blurs must see half a kernel beyond the crop's edges, or the
+/// pixels there would not be those of the whole frame.
+PixelRect rendered_rect(const RenderSettings& settings);
+
+/// Where the delivered part lies in the rendered one.
+PixelRect kept_of_rendered(const RenderSettings& settings);
 
 /// Throws Error(usage) unless the method knows the shadows (the table in the documentation).
 void require_method_takes(Method method, ShadowMode shadows);

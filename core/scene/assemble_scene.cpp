@@ -205,6 +205,10 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
                 all, size);
 
   Scene scene;
+  for (const LoadedMesh& mesh : meshes) {
+    scene.files.push_back(mesh.data.path.string());
+    scene.files.insert(scene.files.end(), mesh.library_files.begin(), mesh.library_files.end());
+  }
   scene.origin_world = choose_origin(box);
   scene.positions.resize(positions);
   uint32_t first = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -14,6 +15,7 @@ namespace hybridrt {
 struct LoadedMesh {
   MeshData data;
   std::vector<Material> library;
+  std::vector<std::string> library_files;  ///< that were read
 };
 
 /// One validated scene out of one or several meshes, in their order.

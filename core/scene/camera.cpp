@@ -107,13 +107,4 @@ Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad) {
   return orbit;
 }
 
-dvec3 default_light_toward(const Camera& camera) {
-  const dvec3 up(0, 1, 0);
-  dvec3 back = camera.eye_world - camera.target_world;
-  back -= glm::dot(back, up) * up;
-  back = glm::length(back) > 0 ? glm::normalize(back) : dvec3(0, 0, 1);
-  const dvec3 left = glm::cross(back, up);
-  return glm::normalize(1.2 * up + 0.7 * left + 0.6 * back);
-}
-
 }  // namespace hybridrt

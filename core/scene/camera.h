@@ -34,7 +34,4 @@ Camera camera_on_orbit(const Orbit& orbit, double fraction);
 /// the whole scene stays in view from all around, for a picture `aspect` times as wide as high.
 Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad);
 
-/// Direction toward the default light: from above, to the left of and behind `camera`. Unit.
-dvec3 default_light_toward(const Camera& camera);
-
 }  // namespace hybridrt

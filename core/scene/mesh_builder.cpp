@@ -16,6 +16,8 @@ MeshBuilder::MeshBuilder(const std::filesystem::path& path, const char* place) {
 }
 
 void MeshBuilder::fail(size_t place, const std::string& problem) const {
+  if (data.place == std::string_view("line"))
+    throw error(ErrorKind::input, "{}:{}: {}", data.path.string(), place, problem);
   throw error(ErrorKind::input, "{}: {} {}: {}", data.path.string(), data.place, place, problem);
 }
 

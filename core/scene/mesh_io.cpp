@@ -48,7 +48,7 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
   pool.run(paths.size(), [&](size_t i, int) {
     LoadedMesh& mesh = meshes[i];
     mesh.data = read_mesh(paths[i], own_warnings[i]);
-    mesh.library = read_libraries(paths[i].parent_path(), mesh.data.libraries, own_warnings[i]);
+    mesh.library = read_libraries(paths[i].parent_path(), mesh.data.libraries, mesh.library_files, own_warnings[i]);
     turn(mesh.data, up);
   });
   for (const Warnings& own : own_warnings) warnings.insert(warnings.end(), own.begin(), own.end());

@@ -52,7 +52,7 @@ void find_libraries(const fs::path& folder, std::string_view line, std::vector<f
 }  // namespace
 
 std::vector<Material> read_libraries(const fs::path& folder, const std::vector<std::string>& libraries,
-                                     Warnings& warnings) {
+                                     std::vector<std::string>& files, Warnings& warnings) {
   std::vector<fs::path> found;
   std::vector<std::string> missing;
   std::unordered_set<std::string> lines;  // exporters repeat the line before every object
@@ -61,8 +61,11 @@ std::vector<Material> read_libraries(const fs::path& folder, const std::vector<s
 
   std::vector<Material> materials;
   std::unordered_set<std::string> read;
-  for (const fs::path& path : found)
-    if (read.insert(path.string()).second) read_mtl(path, materials, warnings);
+  for (const fs::path& path : found) {
+    if (!read.insert(path.string()).second) continue;
+    read_mtl(path, materials, warnings);
+    files.push_back(path.string());
+  }
   if (!missing.empty())
     warnings.push_back(
         fmt::format("{} material files are missing (first: {}); their materials are drawn as default",

@@ -19,8 +19,8 @@ struct CornersOfVertices {
   std::vector<uint32_t> starts, corners;
 };
 
-CornersOfVertices corners_of_vertices(const Scene& scene) {
-  const std::vector<uint32_t> welded = weld_positions(scene.positions);
+CornersOfVertices corners_of_vertices(const Scene& scene, ThreadPool& pool) {
+  const std::vector<uint32_t> welded = weld_positions(scene.positions, pool);
   CornersOfVertices result;
   result.starts.assign(scene.positions.size() + 1, 0);
   for (const uvec3& triangle : scene.triangle_positions)
@@ -83,13 +83,13 @@ void build_at_vertex(Scene& scene, std::span<const uint32_t> corners, std::vecto
 }  // namespace
 
 void rebuild_missing_normals(Scene& scene, ThreadPool& pool) {
-  const auto missing = [](const uvec3& n) {
-    return n.x == kNoNormal || n.y == kNoNormal || n.z == kNoNormal;
-  };
-  if (std::none_of(scene.triangle_normals.begin(), scene.triangle_normals.end(), missing)) return;
+  scene.built_normal_corners = 0;
+  for (const uvec3& n : scene.triangle_normals)
+    scene.built_normal_corners += (n.x == kNoNormal) + (n.y == kNoNormal) + (n.z == kNoNormal);
+  if (scene.built_normal_corners == 0) return;
   HRT_CHECK(scene.triangle_count() < kLocal / 3 && scene.normals.size() < kLocal);
 
-  const CornersOfVertices around = corners_of_vertices(scene);
+  const CornersOfVertices around = corners_of_vertices(scene, pool);
   const size_t vertices = scene.positions.size(), chunks = (vertices + kGrain - 1) / kGrain;
   std::vector<std::vector<vec3>> chunk_normals(chunks);
   parallel_for(pool, vertices, kGrain, [&](size_t begin, size_t end) {

@@ -17,7 +17,8 @@ inline constexpr uint32_t kNoNormal = 0xFFFFFFFFu;
 /// their indices. Smoothing groups play no part. Where more than 256 faces meet (a cone's tip) each corner
 /// keeps its face's normal, as comparing them all with all would take too long.
 ///
-/// Requires triangles of non-zero area. The result does not depend on the number of threads.
+/// Says in scene.built_normal_corners how many there were. Requires triangles of non-zero area. The result
+/// does not depend on the number of threads.
 /// Source: Thuermer and Wuethrich, Computing Vertex Normals from Polygonal Facets, 1998.
 void rebuild_missing_normals(Scene& scene, ThreadPool& pool);
 

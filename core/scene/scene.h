@@ -4,6 +4,7 @@
 #include "core/scene/material.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace hybridrt {
@@ -11,6 +12,7 @@ namespace hybridrt {
 struct DirectionalLight {
   dvec3 toward{0, 1, 0};  ///< unit, from the scene toward the light
   vec3 color{1};
+  bool casts_shadow = true;
 };
 
 /// Indexed triangles, filled once and then only read. Positions are floats relative to `origin_world`
@@ -27,6 +29,10 @@ struct Scene {
   std::vector<Material> materials;             ///< resolved; at least one
 
   Aabb bounds;                                 ///< of all triangles, scene space
+
+  // Where it came from, for reports.
+  std::vector<std::string> files;              ///< all that were read, in that order
+  size_t built_normal_corners = 0;             ///< corners that got their normal from the faces around
 
   size_t triangle_count() const { return triangle_positions.size(); }
   const Material& material_of(uint32_t triangle) const { return materials[triangle_materials[triangle]]; }

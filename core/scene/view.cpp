@@ -11,8 +11,8 @@ dvec3 perpendicular_part(const dvec3& v, const dvec3& unit_axis) { return v - gl
 
 View make_view(const Camera& camera, const dvec3& scene_origin_world, int width_px, int height_px) {
   View view;
-  view.width_px = width_px;
-  view.height_px = height_px;
+  view.width_px = view.frame_width_px = width_px;
+  view.height_px = view.frame_height_px = height_px;
   view.eye = camera.eye_world - scene_origin_world;
 
   const dvec3 gaze = camera.target_world - camera.eye_world;
@@ -29,6 +29,15 @@ View make_view(const Camera& camera, const dvec3& scene_origin_world, int width_
 
   view.tan_half_height = std::tan(0.5 * camera.fov_y_rad);
   view.tan_half_width = view.tan_half_height * width_px / height_px;
+  return view;
+}
+
+View part_of(const View& frame, int x_px, int y_px, int width_px, int height_px) {
+  View view = frame;
+  view.x_px = frame.x_px + x_px;
+  view.y_px = frame.y_px + y_px;
+  view.width_px = width_px;
+  view.height_px = height_px;
   return view;
 }
 

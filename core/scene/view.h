@@ -8,24 +8,31 @@ namespace hybridrt {
 /// A camera and a picture's size, ready for rays and matrices. Scene space, double precision; everything
 /// that works in float subtracts the eye first.
 struct View {
-  int width_px = 0, height_px = 0;
+  int width_px = 0, height_px = 0;              ///< of the picture: all of the frame, or a part of it
+  int x_px = 0, y_px = 0;                       ///< its first pixel in the frame
+  int frame_width_px = 0, frame_height_px = 0;  ///< of the whole frame
   dvec3 eye{0};
   dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  ///< orthonormal
-  double tan_half_width = 1, tan_half_height = 1;        ///< of the picture's edges, from its middle
+  double tan_half_width = 1, tan_half_height = 1;        ///< of the frame's edges, from its middle
 
-  /// Direction through the centre of pixel (x, y), row 0 on top; its component along `forward` is 1.
+  /// Direction through the centre of pixel (x, y) of the picture, row 0 on top; its component along `forward`
+  /// is 1. Bit by bit the same for a part of a frame as for the whole.
   dvec3 pixel_dir(int x, int y) const {
-    return ray_first() + static_cast<double>(x) * ray_step_x() + static_cast<double>(y) * ray_step_y();
+    return ray_first() + static_cast<double>(x_px + x) * ray_step_x() + static_cast<double>(y_px + y) * ray_step_y();
   }
+  /// Through the frame's first pixel, and from one to the next.
   dvec3 ray_first() const { return forward - tan_half_width * right + tan_half_height * up + 0.5 * (ray_step_x() + ray_step_y()); }
-  dvec3 ray_step_x() const { return 2 * tan_half_width / width_px * right; }
-  dvec3 ray_step_y() const { return -2 * tan_half_height / height_px * up; }
+  dvec3 ray_step_x() const { return 2 * tan_half_width / frame_width_px * right; }
+  dvec3 ray_step_y() const { return -2 * tan_half_height / frame_height_px * up; }
 };
 
 /// Throws Error(input) when eye and target coincide. An `up` along the view is replaced by another one.
 View make_view(const Camera& camera, const dvec3& scene_origin_world, int width_px, int height_px);
 
-/// Perspective projection of positions relative to the eye. Depth is reversed and reaches infinity
+/// The part of a whole frame's view that is `width_px` by `height_px` pixels large and begins at (x_px, y_px).
+View part_of(const View& frame, int x_px, int y_px, int width_px, int height_px);
+
+/// Perspective projection of positions relative to the eye, of the whole frame. Depth is reversed and reaches infinity
 /// (depth = near / distance): with float depth every distance keeps the same relative precision.
 /// For glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE).
 dmat4 clip_from_eye(const View& view, double near_distance);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/render/default_view.h"
 #include "core/render/render_job.h"
 #include "core/scene/scene_source.h"
 
@@ -20,7 +21,7 @@ inline RenderJob orbit_job(const std::string& scene, int frames, int width_px = 
   job.frames.ranges = {{1, frames, 1}};
   job.motion.sequence = {1, frames, 1};
   job.motion.course = default_orbit(job.scene, static_cast<double>(width_px) / height_px, 0.7);
-  job.light.light.toward = default_light_toward(camera_at(job.motion, 1));
+  job.light.light = default_light(Surroundings::outside, camera_at(job.motion, 1), job.settings.ambient);
   job.shaders = gl::embedded_shaders();
   return job;
 }

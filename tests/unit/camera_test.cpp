@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/render/default_view.h"
 #include "core/render/render_job.h"
 #include "core/scene/spheres.h"
 #include "core/scene/view.h"
@@ -118,7 +119,7 @@ TEST(DefaultLight, ComesFromAboveLeftAndBehindTheCamera) {
   for (int step = 0; step < 36; ++step) {
     const Camera camera = camera_on_orbit(default_orbit(scene, 1.5, kFov_rad), step / 36.0);
     const View view = make_view(camera, dvec3(0), 150, 100);
-    const dvec3 toward = default_light_toward(camera);
+    const dvec3 toward = default_light(Surroundings::outside, camera, vec3(0.15f)).toward;
     EXPECT_NEAR(glm::length(toward), 1, 1e-12);
     EXPECT_GT(toward.y, 0.3) << "above";
     EXPECT_LT(glm::dot(toward, view.right), -0.2) << "left";
@@ -127,7 +128,7 @@ TEST(DefaultLight, ComesFromAboveLeftAndBehindTheCamera) {
 }
 
 TEST(DefaultLight, CameraLookingStraightDown) {
-  const dvec3 toward = default_light_toward({{0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 1});
+  const dvec3 toward = default_light(Surroundings::outside, {{0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 1}, vec3(0)).toward;
   EXPECT_NEAR(glm::length(toward), 1, 1e-12);
   EXPECT_GT(toward.y, 0);
 }

@@ -1,7 +1,8 @@
-#include "core/render/default_orbit.h"
+#include "core/render/default_view.h"
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/scene/view.h"
@@ -13,12 +14,15 @@ namespace {
 constexpr int kWidth_px = 32, kHeight_px = 24;
 constexpr double kMostlyBackFaces = 0.6;  // more than this share: a room seen from outside
 constexpr double kHardlyAnyBackFaces = 0.05;
+constexpr double kMoreInside = 1.2;           // that many times the triangles seen from outside: a building
+constexpr double kClosed = 0.95;              // share of rays from inside that meet a wall
 constexpr int kAzimuths = 16;
 constexpr double kSway_rad = 14 * kPi / 180, kLookInElevation_rad = 4 * kPi / 180;
 
 /// What a bundle of rays sees.
 struct Seen {
   int rays = 0, hits = 0, back_faces = 0;
+  std::set<uint32_t> triangles;
   double sum_distance = 0, least_distance = std::numeric_limits<double>::infinity();
 
   double back_share() const { return hits ? static_cast<double>(back_faces) / hits : 0; }
@@ -40,6 +44,7 @@ Seen look(const Scene& scene, const RayCaster<float>& caster, const std::vector<
   for (size_t i = 0; i < rays.size(); ++i) {
     if (!hits[i].found()) continue;
     ++seen.hits;
+    seen.triangles.insert(hits[i].triangle);
     seen.back_faces += shows_back_face(scene, hits[i], rays[i].dir);
     seen.sum_distance += hits[i].t;
     seen.least_distance = std::min<double>(seen.least_distance, hits[i].t);
@@ -127,45 +132,77 @@ std::optional<vec3> roomiest_point(const Scene& scene, const RayCaster<float>& c
   return best;
 }
 
-/// Standing inside, looking the longest way first.
-std::optional<Orbit> stand_inside(const Scene& scene, const RayCaster<float>& caster, const Orbit& around) {
-  const std::optional<vec3> spot = roomiest_point(scene, caster);
-  if (!spot) return std::nullopt;
+/// Standing at `spot`, looking the longest way first.
+Orbit stand_at(const Scene& scene, const RayCaster<float>& caster, const vec3& spot, double fov_y_rad) {
   constexpr int kDirections = 64;
+  const auto distance_along = [&](double angle) {
+    const Seen seen = look_around(scene, caster, spot, {vec3(std::sin(angle), 0, std::cos(angle))});
+    return seen.hits ? seen.sum_distance : 0;
+  };
   double longest = -1, azimuth = 0;
   for (int i = 0; i < kDirections; ++i) {
-    const double angle = 2 * kPi * i / kDirections;
-    const Seen seen = look_around(scene, caster, *spot, {vec3(std::sin(angle), 0, std::cos(angle))});
-    if (seen.hits && seen.sum_distance > longest) longest = seen.sum_distance, azimuth = angle;
+    const double angle = 2 * kPi * i / kDirections, distance = distance_along(angle);
+    if (distance > longest) longest = distance, azimuth = angle;
   }
-  const vec3 backward(-std::sin(azimuth), 0, -std::cos(azimuth));
-  const Seen behind = look_around(scene, caster, *spot, {backward});
-  Orbit orbit = around;
-  orbit.target_world = scene.origin_world + dvec3(*spot);
-  if (behind.hits) orbit.target_world += 0.5 * behind.sum_distance * dvec3(backward);
+  // Half of the way back to the wall behind shows more of the room.
+  const dvec3 backward(-std::sin(azimuth), 0, -std::cos(azimuth));
+  Orbit orbit;
+  orbit.target_world = scene.origin_world + dvec3(spot) + 0.5 * distance_along(azimuth + kPi) * backward;
   orbit.outward = true;
   orbit.radius = glm::length(scene.bounds.extent());
-  orbit.height = 0;
   orbit.from_rad = azimuth;
   orbit.to_rad = azimuth + 2 * kPi;
+  orbit.fov_y_rad = fov_y_rad;
   return orbit;
+}
+
+Seen look_from_all_around(const Scene& scene, const RayCaster<float>& caster, const Orbit& around, double aspect) {
+  Seen all;
+  for (int i = 0; i < kAzimuths; ++i) {
+    const Camera camera = camera_on_orbit(around, static_cast<double>(i) / kAzimuths);
+    Seen seen = look_from(scene, caster, camera, aspect);
+    all.hits += seen.hits;
+    all.back_faces += seen.back_faces;
+    all.triangles.merge(seen.triangles);
+  }
+  return all;
+}
+
+/// Whether `spot` sees walls wherever it looks, and more of the scene than is seen from outside, by the
+/// same number of rays.
+bool inside_shows_more(const Scene& scene, const RayCaster<float>& caster, const vec3& spot, const Seen& outside) {
+  const Seen inside = look_around(scene, caster, spot, sphere_directions(std::max(outside.hits, 1)));
+  return inside.hits >= kClosed * inside.rays &&
+         static_cast<double>(inside.triangles.size()) > kMoreInside * static_cast<double>(outside.triangles.size());
 }
 
 }  // namespace
 
-Orbit choose_default_orbit(const Scene& scene, const RayCaster<float>& caster, double aspect, double fov_y_rad) {
+DefaultView choose_default_view(const Scene& scene, const RayCaster<float>& caster, double aspect, double fov_y_rad) {
   const Orbit around = default_orbit(scene, aspect, fov_y_rad);
-  Seen all;
-  for (int i = 0; i < kAzimuths; ++i) {
-    const Camera camera = camera_on_orbit(around, static_cast<double>(i) / kAzimuths);
-    const Seen seen = look_from(scene, caster, camera, aspect);
-    all.hits += seen.hits;
-    all.back_faces += seen.back_faces;
-  }
-  if (all.back_share() <= kMostlyBackFaces) return around;
-  if (const auto orbit = look_in(scene, caster, around, aspect)) return *orbit;
-  if (const auto orbit = stand_inside(scene, caster, around)) return *orbit;
-  return around;
+  const Seen outside = look_from_all_around(scene, caster, around, aspect);
+  const bool walls = outside.back_share() > kMostlyBackFaces;
+  if (walls)
+    if (const auto orbit = look_in(scene, caster, around, aspect)) return {Surroundings::open, *orbit};
+  const std::optional<vec3> spot = roomiest_point(scene, caster);
+  if (spot && (walls || inside_shows_more(scene, caster, *spot, outside)))
+    return {Surroundings::inside, stand_at(scene, caster, *spot, fov_y_rad)};
+  return {Surroundings::outside, around};
+}
+
+DirectionalLight default_light(Surroundings surroundings, const Camera& camera, const vec3& ambient) {
+  const dvec3 up(0, 1, 0);
+  dvec3 back = camera.eye_world - camera.target_world;
+  back -= glm::dot(back, up) * up;
+  back = glm::length(back) > 0 ? glm::normalize(back) : dvec3(0, 0, 1);
+  const dvec3 left = glm::cross(back, up);
+
+  DirectionalLight light;
+  light.color = vec3(1) - ambient;
+  light.casts_shadow = surroundings != Surroundings::inside;
+  light.toward = glm::normalize(surroundings == Surroundings::outside ? 1.2 * up + 0.7 * left + 0.6 * back
+                                                                      : 0.45 * up + 0.35 * left + back);
+  return light;
 }
 
 }  // namespace hybridrt

@@ -1,0 +1,51 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/inspection.h"
+#include "core/scene/topology_warnings.h"
+
+namespace hybridrt::cli {
+namespace {
+
+ExitCode inspect(const RenderOptions& options, bool as_json) {
+  Inspection found;
+  found.scene = options.scene;
+  found.job = make_render_job(options, found.warnings);
+  const RenderJob& job = found.job;
+
+  ThreadPool pool(job.threads);
+  found.topology = build_topology(job.scene, pool);
+  topology_warnings(job.scene, found.topology, found.warnings);
+  found.material_triangles.resize(job.scene.materials.size());
+  for (uint32_t material : job.scene.triangle_materials) ++found.material_triangles[material];
+
+  const SceneFacts facts = make_scene_facts(job.scene);
+  const int first = *FrameCursor(job.frames).next();
+  found.plan =
+      make_frame_plan(job.scene, facts, {first, camera_at(job.motion, first), job.light}, job.settings);
+  const bool light_moves = false;  // one light for all frames
+  found.steps = explain_plan(found.plan, facts, job.settings, job.accel, light_moves);
+  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel);
+
+  using Handler = nlohmann::ordered_json::error_handler_t;
+  fmt::print("{}", as_json ? inspection_json(found).dump(2, ' ', false, Handler::replace) + "\n"
+                           : inspection_text(found));
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_inspect_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "inspect", "Say what was loaded, repaired or left out, and what a frame will run; needs no GL");
+  auto options = std::make_shared<RenderOptions>();
+  auto as_json = std::make_shared<bool>(false);
+  add_render_options(*command, *options);
+  command->add_flag("--json", *as_json, "As one JSON object");
+  command->callback(
+      [options, as_json, &chosen] { chosen = [options, as_json] { return inspect(*options, *as_json); }; });
+}
+
+}  // namespace hybridrt::cli

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/render_options.h"
+#include "core/render/memory_estimate.h"
+#include "core/render/plan_notes.h"
+#include "core/scene/topology.h"
+
+namespace hybridrt::cli {
+
+/// All that `inspect` tells about a scene and the first frame asked for.
+struct Inspection {
+  std::string scene;  ///< as it was asked for
+  RenderJob job;
+  Warnings warnings;
+  Topology topology;
+  FramePlan plan;
+  std::vector<StepNote> steps;
+  MemoryEstimate memory;
+  std::vector<size_t> material_triangles;  ///< by material
+};
+
+/// Aligned text for people, lines of about 100 columns.
+std::string inspection_text(const Inspection& inspection);
+
+/// The same as one object; bytes of names that are no UTF-8 are for dump() to replace.
+nlohmann::ordered_json inspection_json(const Inspection& inspection);
+
+/// What a material does to light in one word: matte, highlight, mirror, glass or see-through.
+std::string_view kind_of(const Material& material);
+
+/// The numbers of the `most` components with the most triangles, largest first.
+std::vector<uint32_t> largest_components(const Topology& topology, size_t most);
+
+std::string_view name_of(Winding winding);
+
+}  // namespace hybridrt::cli

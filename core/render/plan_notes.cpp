@@ -1,0 +1,100 @@
+#include "core/render/plan_notes.h"
+
+#include <fmt/format.h>
+
+#include "core/render/gl_renderer.h"
+
+namespace hybridrt {
+namespace {
+
+StepNote left_out(std::string_view step, std::string why) { return {step, Runs::never, std::move(why)}; }
+
+std::string shadows_option(const RenderSettings& s) {
+  return fmt::format("--shadows {}", name_of(s.shadows));
+}
+
+std::string pixels(const RenderSettings& s) { return fmt::format("{} x {} pixels", s.width_px, s.height_px); }
+
+StepNote shadow_map_note(const FramePlan& plan, const RenderSettings& s, bool light_moves) {
+  constexpr std::string_view kStep = "pass 1 shadow map";
+  if (!plan.shadow_map) return left_out(kStep, shadows_option(s) + " needs none");
+  return {kStep, light_moves ? Runs::each_frame : Runs::once,
+          fmt::format("{0} x {0} texels; the light {1}", s.shadow_map_px,
+                      light_moves ? "moves" : "stands still")};
+}
+
+StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
+  constexpr std::string_view kStep = "pass 3 boundaries";
+  if (!plan.mark) return left_out(kStep, shadows_option(s) + " marks none");
+  return {kStep, Runs::each_frame, fmt::format("{0} x {0} blur of the shadow test", s.blur_kernel_px)};
+}
+
+StepNote readback_note(const FramePlan& plan) {
+  constexpr std::string_view kStep = "readback";
+  if (!plan.read_ids && !plan.read_mask) return left_out(kStep, "nothing on the CPU asks for pixels");
+  const char* what = !plan.read_mask ? "triangle ids" : plan.read_ids ? "triangle ids and marks" : "marks";
+  return {kStep, Runs::each_frame, fmt::format("{} for {}", what, plan.trace() ? "pass 4" : "--aov")};
+}
+
+StepNote shadow_rays_note(const FramePlan& plan, const RenderSettings& s) {
+  constexpr std::string_view kStep = "pass 4 shadow rays";
+  if (plan.mark) return {kStep, Runs::each_frame, "at the pixels that pass 3 marks"};
+  if (s.shadows == ShadowMode::rays) return {kStep, Runs::each_frame, "at every pixel that faces the light"};
+  return left_out(kStep, plan.shadow_map ? "the shadow map decides alone" : "--shadows none");
+}
+
+StepNote scattered_note(const FramePlan& plan, const SceneFacts& facts, const RenderSettings& s) {
+  constexpr std::string_view kStep = "pass 4 reflections";
+  if (s.method == Method::raster) return left_out(kStep, "--method raster follows no rays");
+  if (facts.scattering_bounds.empty()) return left_out(kStep, "no material reflects or lets light through");
+  if (s.reflection_depth == 0) return left_out(kStep, "--reflection-depth 0");
+  if (!may_be_seen(plan.view, facts.scattering_bounds))
+    return left_out(kStep, "nothing reflective or see-through is in view");
+  return {kStep, Runs::each_frame,
+          fmt::format("up to {} generations of reflected and refracted rays", s.reflection_depth)};
+}
+
+StepNote accelerator_note(const SceneFacts& facts, const RenderSettings& s, Accel accel) {
+  constexpr std::string_view kStep = "ray accelerator";
+  if (!may_trace(facts, s)) return left_out(kStep, "no frame can need a ray");
+  const std::string_view name = s.method == Method::reference ? "kdtree, double precision" : name_of(accel);
+  return {kStep, Runs::once, fmt::format("{}, before the first frame", name)};
+}
+
+}  // namespace
+
+std::string_view name_of(Runs runs) {
+  switch (runs) {
+    case Runs::never:
+      return "no";
+    case Runs::once:
+      return "once";
+    case Runs::each_frame:
+      return "each frame";
+  }
+  return "?";
+}
+
+std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& facts, const RenderSettings& s,
+                                   Accel accel, bool light_moves) {
+  if (s.method == Method::raytrace || s.method == Method::reference) {
+    const std::string method = fmt::format("--method {}", name_of(s.method));
+    return {accelerator_note(facts, s, accel),
+            left_out("passes 1 to 3", method + " works without GL"),
+            {"primary rays", Runs::each_frame, pixels(s)},
+            shadow_rays_note(plan, s),
+            scattered_note(plan, facts, s),
+            left_out("pass 5 shading", "done ray by ray")};
+  }
+  return {accelerator_note(facts, s, accel),
+          shadow_map_note(plan, s, light_moves),
+          {"pass 2 triangle ids", Runs::each_frame,
+           pixels(s) + (plan.shadow_map ? ", with the shadow test" : "")},
+          mark_note(plan, s),
+          readback_note(plan),
+          shadow_rays_note(plan, s),
+          scattered_note(plan, facts, s),
+          {"pass 5 shading", Runs::each_frame, "once a pixel, from the ids"}};
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/scene/scene.h"
+
+namespace hybridrt {
+
+/// Two vertices that at least one triangle joins: indices into Scene::positions, after welding (weld.h: of
+/// equal positions the smallest index), a < b.
+struct Edge {
+  uint32_t a, b;
+};
+
+/// A triangle at an edge, and which way it goes along it.
+struct EdgeUse {
+  uint32_t triangle : 31;
+  uint32_t reversed : 1;  ///< 0: from a to b; 1: from b to a
+};
+static_assert(sizeof(EdgeUse) == 4);
+
+enum class EdgeKind : uint8_t {
+  regular,       ///< two triangles, in opposite directions
+  boundary,      ///< one triangle
+  inconsistent,  ///< two triangles in the same direction: one of them is wound the wrong way
+  non_manifold,  ///< three triangles or more
+};
+
+enum class Winding : uint8_t {
+  none,     ///< not closed, or without volume (a sheet with two sides)
+  outward,  ///< counterclockwise seen from outside
+  inward,
+};
+
+/// Triangles that hang together by edges, non-manifold ones too; sharing only a vertex connects nothing, so
+/// that two closed bodies that touch in a point stay two closed bodies.
+struct Component {
+  uint32_t first_triangle = 0;  ///< its smallest
+  uint32_t triangles = 0;
+  uint32_t boundary_edges = 0, inconsistent_edges = 0, non_manifold_edges = 0;
+  bool degenerate = false;  ///< one triangle with welded corners, which has no edges
+  Winding winding = Winding::none;
+  double volume = 0;  ///< scene units cubed, >= 0; 0 unless closed
+
+  bool oriented() const { return inconsistent_edges == 0; }
+  bool closed() const {
+    return !degenerate && boundary_edges == 0 && inconsistent_edges == 0 && non_manifold_edges == 0;
+  }
+};
+
+/// How the triangles of a scene hang together once equal positions are one: what has an inside, and which
+/// edges may be silhouettes. Only data; 34 bytes a triangle for a closed mesh, 84 where nothing is shared.
+/// Ours instead of OpenMesh's half-edges, which hold no non-manifold edge: a million triangles, one thread,
+/// take 0.11 s against 0.33 s, and 0.46 s against 2.1 s shuffled and with vertices of their own.
+struct Topology {
+  std::vector<uint32_t> component_of_triangle;
+  std::vector<Component> components;  ///< by their smallest triangle
+
+  std::vector<Edge> edges;          ///< by a, then b
+  std::vector<uint32_t> first_use;  ///< edge e is used by uses[first_use[e] .. first_use[e + 1])
+  std::vector<EdgeUse> uses;        ///< of one edge by triangle; none of degenerate triangles
+
+  size_t boundary_edges = 0, inconsistent_edges = 0, non_manifold_edges = 0;
+
+  std::span<const EdgeUse> uses_of(size_t edge) const {
+    return std::span(uses).subspan(first_use[edge], first_use[edge + 1] - first_use[edge]);
+  }
+  EdgeKind kind_of(size_t edge) const {
+    const std::span<const EdgeUse> at = uses_of(edge);
+    if (at.size() != 2) return at.size() == 1 ? EdgeKind::boundary : EdgeKind::non_manifold;
+    return at[0].reversed != at[1].reversed ? EdgeKind::regular : EdgeKind::inconsistent;
+  }
+  const Component& component_of(uint32_t triangle) const {
+    return components[component_of_triangle[triangle]];
+  }
+};
+
+/// The result does not depend on the number of threads. Throws CheckFailed beyond 2^31 positions or 2^30
+/// triangles, std::bad_alloc.
+Topology build_topology(const Scene& scene, ThreadPool& pool);
+
+/// Bytes of a finished topology.
+size_t memory_bytes(const Topology& topology);
+
+}  // namespace hybridrt
