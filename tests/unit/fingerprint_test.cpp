@@ -68,6 +68,8 @@ TEST(FrameFingerprint, ChangesWithCameraLightAndSettings) {
       {"method", [](FrameRequest&, RenderSettings& s) { s.method = Method::reference; }},
       {"shadows", [](FrameRequest&, RenderSettings& s) { s.shadows = ShadowMode::rays; }},
       {"kernel", [](FrameRequest&, RenderSettings& s) { s.blur_kernel_px = 7; }},
+      {"ambient", [](FrameRequest&, RenderSettings& s) { s.ambient.x = 0.5f; }},
+      {"background", [](FrameRequest&, RenderSettings& s) { s.background.z = 0.5f; }},
       {"map", [](FrameRequest&, RenderSettings& s) { s.shadow_map_px = 512; }},
       {"ambient", [](FrameRequest&, RenderSettings& s) { s.ambient.x = 0.5f; }},
       {"background", [](FrameRequest&, RenderSettings& s) { s.background.z = 0.5f; }},

@@ -1,0 +1,134 @@
+"""What all tests of the real binary share: a folder of one's own, runs of the binary, PNG files in plain Python.
+
+A test file is called with the binary's path as its first argument, then unittest's own arguments."""
+
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+BINARY = os.path.abspath(sys.argv.pop(1))
+
+# A scene that renders in milliseconds: five hundred triangles, some of them mirrors.
+SCENE = "scene:spheres,triangles=500"
+SMALL = ("--size", "96x72", "--shadow-map", "256")
+
+
+class CliTestCase(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.path(name)
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def files(self, folder="."):
+        """All files below a folder, hidden ones too, as sorted relative paths."""
+        top = self.path(folder)
+        return sorted(os.path.relpath(os.path.join(where, name), top)
+                      for where, _, names in os.walk(top) for name in names)
+
+    def start(self, *arguments, **keywords):
+        keywords.setdefault("stdout", subprocess.PIPE)
+        keywords.setdefault("stderr", subprocess.PIPE)
+        return subprocess.Popen([BINARY, *arguments], cwd=self.folder, text=True, **keywords)
+
+    def run_binary(self, *arguments, env=None, **keywords):
+        environment = dict(os.environ, **env) if env else None
+        return subprocess.run([BINARY, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=120,
+                              env=environment, **keywords)
+
+    def succeed(self, *arguments, **keywords):
+        done = self.run_binary(*arguments, **keywords)
+        self.assertEqual(done.returncode, 0, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def render(self, *arguments, **keywords):
+        """A small picture, and no talk but warnings."""
+        return self.succeed("render", SCENE, *SMALL, "-q", *arguments, **keywords)
+
+    def fail_with(self, code, *arguments, says=(), **keywords):
+        """The exit code, one line on standard error that holds each of `says`, and nothing on standard output."""
+        done = self.run_binary(*arguments, **keywords)
+        self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        self.assertEqual(done.stdout, "")
+        self.assertTrue(done.stderr.startswith("hybridrt: "), done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        for part in (says,) if isinstance(says, str) else says:
+            self.assertIn(part, done.stderr)
+        return done
+
+
+class Png:
+    """8-bit PNG files without interlacing: three channels as rows of bytes."""
+
+    def __init__(self, width, height, rows):
+        self.width, self.height, self.rows = width, height, rows
+
+    @staticmethod
+    def read(path):
+        with open(path, "rb") as file:
+            data = file.read()
+        assert data[:8] == b"\x89PNG\r\n\x1a\n", path
+        place, packed = 8, b""
+        while place < len(data):
+            length, kind = struct.unpack(">I4s", data[place:place + 8])
+            body = data[place + 8:place + 8 + length]
+            assert struct.unpack(">I", data[place + 8 + length:place + 12 + length])[0] == zlib.crc32(kind + body)
+            if kind == b"IHDR":
+                width, height, depth, color, _, _, interlace = struct.unpack(">IIBBBBB", body)
+                assert (depth, color, interlace) == (8, 2, 0), path
+            if kind == b"IDAT":
+                packed += body
+            place += 12 + length
+            if kind == b"IEND":
+                break
+        assert kind == b"IEND" and place == len(data), f"{path} is cut short"
+        return Png(width, height, Png._unfiltered(zlib.decompress(packed), width, height))
+
+    @staticmethod
+    def _unfiltered(raw, width, height):
+        stride, rows, above = 3 * width, [], bytearray(3 * width)
+        assert len(raw) == (stride + 1) * height
+        for y in range(height):
+            kind = raw[y * (stride + 1)]
+            row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+            for i in range(stride):
+                left = row[i - 3] if i >= 3 else 0
+                corner = above[i - 3] if i >= 3 else 0
+                row[i] = (row[i] + (0, left, above[i], (left + above[i]) // 2,
+                                    _paeth(left, above[i], corner))[kind]) & 255
+            rows.append(row)
+            above = row
+        return rows
+
+    def write(self, path):
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+        raw = b"".join(b"\0" + bytes(row) for row in self.rows)
+        header = struct.pack(">IIBBBBB", self.width, self.height, 8, 2, 0, 0, 0)
+        with open(path, "wb") as file:
+            file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(raw)) +
+                       chunk(b"IEND", b""))
+
+    def pixel(self, x, y):
+        return tuple(self.rows[y][3 * x:3 * x + 3])
+
+
+def _paeth(left, above, corner):
+    guess = left + above - corner
+    return min((abs(guess - left), 0, left), (abs(guess - above), 1, above), (abs(guess - corner), 2, corner))[2]

@@ -1,0 +1,85 @@
+"""hybridrt doctor, scene and --version through the real binary."""
+
+import json
+import os
+import unittest
+
+from cli_test_case import SMALL, CliTestCase
+
+
+class DoctorTest(CliTestCase):
+    def test_lists_what_render_can_open(self):
+        report = json.loads(self.succeed("doctor", "--json").stdout)
+        self.assertGreaterEqual(report["threads"], 1)
+        self.assertTrue(report["version"])
+        self.assertTrue(report["devices"], "this machine has no GL at all")
+        for device in report["devices"]:
+            self.assertGreaterEqual(device["max_texture_px"], 16384)
+            self.render("--device", device["id"], "-o", device["id"] + ".png")
+            self.assertEqual(json.loads(self.read("run.json"))["gl"]["device"], device["id"])
+        for device in report["unusable"]:
+            self.fail_with(4, "render", "scene:spheres,triangles=500", *SMALL, "--device", device["id"])
+
+    def test_bindings_give_the_same_picture(self):
+        devices = json.loads(self.succeed("doctor", "--json").stdout)["devices"]
+        software = [device["id"] for device in devices if not device["hardware"]]
+        pictures = set()
+        for device in software:
+            self.render("--device", device, "-o", "x.png")
+            pictures.add(self.read("x.png"))
+        self.assertLessEqual(len(pictures), 1, software)
+
+    def test_text(self):
+        text = self.succeed("doctor").stdout
+        report = json.loads(self.succeed("doctor", "--json").stdout)
+        for device in report["devices"]:
+            self.assertIn(device["id"], text)
+            self.assertIn(device["renderer"], text)
+
+    def test_without_any_egl_it_still_answers(self):
+        done = self.succeed("doctor", "--json", env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"})
+        report = json.loads(done.stdout)
+        self.assertEqual([d["id"] for d in report["devices"] if d["id"].startswith("egl")], [])
+        self.assertTrue(report["unusable"])
+
+
+class SceneTest(CliTestCase):
+    def test_same_arguments_same_bytes(self):
+        for folder in ("a", "b"):
+            self.succeed("scene", "spheres", "-o", folder + "/s.obj", "--triangles", "3000", "--reflective", "20")
+        self.assertEqual(self.files("a"), ["s.mtl", "s.obj"])
+        for name in ("s.obj", "s.mtl"):
+            self.assertEqual(self.read("a/" + name), self.read("b/" + name))
+        self.succeed("scene", "spheres", "-o", "c/s.obj", "--triangles", "3000", "--reflective", "60")
+        self.assertNotEqual(self.read("a/s.obj"), self.read("c/s.obj"))
+
+    def test_file_and_name_give_the_same_picture(self):
+        self.succeed("scene", "spheres", "-o", "s.obj", "--triangles", "500")
+        self.succeed("render", "s.obj", *SMALL, "-q", "-o", "file.png")
+        self.succeed("render", "scene:spheres,triangles=500", *SMALL, "-q", "-o", "name.png")
+        self.succeed("compare", "file.png", "name.png", "--fail", "0", "--fail-percent", "0")
+
+    def test_bad_arguments(self):
+        self.fail_with(2, "scene", "spheres", says="-o")
+        self.fail_with(2, "scene", "spheres", "-o", "x.obj", "--triangles", "1", says="triangles")
+        self.fail_with(2, "scene", "spheres", "-o", "x.obj", "--reflective", "101", says="reflective")
+        self.fail_with(2, "scene", "spheres", "-o", "x.stl", says="x.stl")
+        self.write("file", "")
+        self.fail_with(5, "scene", "spheres", "-o", "file/x.obj", "--triangles", "500", says="file")
+        self.assertEqual(self.files(), ["file"])
+
+
+class VersionTest(CliTestCase):
+    def test_text_and_json(self):
+        report = json.loads(self.succeed("--version", "--json").stdout)
+        for key in ("version", "commit", "compiler", "libraries"):
+            self.assertTrue(report[key], key)
+        text = self.succeed("--version").stdout
+        self.assertIn(report["version"], text)
+        self.assertIn(report["commit"], text)
+        for library in report["libraries"]:
+            self.assertIn(library.lower(), text.lower())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,176 @@
+"""Bad input gets its exit code and one line that says what, where and what to do."""
+
+import os
+import unittest
+
+from cli_test_case import SCENE, SMALL, CliTestCase
+
+TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+
+
+class CommandLineTest(CliTestCase):
+    def refuse(self, *arguments, says, code=2):
+        self.fail_with(code, "render", SCENE, *SMALL, *arguments, says=says)
+        self.assertEqual(self.files(), [], "refused before anything was written")
+
+    def test_frames(self):
+        self.refuse("--frames", "10-1", says=("10-1", "lower frame first"))
+        self.refuse("--frames", "1-10,10-20", says=("overlap",))
+        self.refuse("--frames", "1-10,5", says=("overlap",))
+        for frames in ("0", "x", "1-", "1-5:0", "1,,2", "99999999999"):
+            self.refuse("--frames", frames, says="frames '" + frames)
+        self.refuse("--frames", "1-10", "--sequence", "5-20", says=("--sequence 5-20", "1-10"))
+        self.refuse("--frames", "1-10", "--sequence", "20-5", says="20-5")
+
+    def test_numbers_out_of_range(self):
+        self.refuse("--threads", "0", says=("--threads", "1 to"))
+        self.refuse("--threads=-1", says=("--threads", "1 to"))
+        self.refuse("--blur-kernel", "4", says=("--blur-kernel 4", "odd"))
+        self.refuse("--blur-kernel", "33", says=("--blur-kernel 33", "31"))
+        self.refuse("--blur-kernel", "0", says="--blur-kernel 0")
+        self.refuse("--reflection-depth=-1", says=("--reflection-depth -1", "0 to 64"))
+        self.refuse("--reflection-depth", "65", says="0 to 64")
+        self.refuse("--frames-in-flight", "0", says="--frames-in-flight 0")
+        self.refuse("--shadow-map", "0", says="--shadow-map 0")
+        self.refuse("--threads", "1e9", says="--threads")
+        self.refuse("--threads", "99999999999999999999", says="--threads")
+
+    def test_sizes(self):
+        for size in ("0x0", "1000000000x1", "1e9x1", "64x-1", "64", "64x", "x64", "64x64x64", "64 x 64", ""):
+            self.refuse("--size", size, says="--size")
+        self.refuse("--size", "0x0", says=("WIDTHxHEIGHT", "1024x768"))
+
+    def test_cameras(self):
+        for fov in ("0", "180", "-5", "nan", "inf", "x"):
+            self.refuse("--fov=" + fov, says="--fov")
+        self.refuse("--eye", "1,2", says=("--eye 1,2", "three numbers"))
+        for vector in ("1,2,x", "nan,1,2", "1,2,3,4", "", "1 2 3"):
+            self.refuse("--light=" + vector, says="--light") if vector else None
+        self.refuse("--light", "0,0,0", says="--light")
+        self.refuse("--eye", "1,1,1", "--up", "0,0,0", says="--up")
+        self.refuse("--target", "1,1,1", says="--eye")
+        self.refuse("--eye", "1,1,1", "--target", "1,1,1", says=("--eye", "--target", "same point"))
+
+    def test_up_along_the_view_is_a_warning(self):
+        done = self.succeed("render", SCENE, *SMALL, "--eye", "0,9,0", "--target", "0,0,0", "-q")
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn("warning", done.stderr)
+        self.assertIn("up", done.stderr)
+
+    def test_names(self):
+        self.refuse("--method", "magic", says=("--method magic", "raytrace"))
+        self.refuse("--shadows", "soft", says=("--shadows soft", "blur"))
+        self.refuse("--accel", "bvh", says=("--accel bvh", "embree"))
+        self.refuse("--gl", "vulkan", says=("--gl vulkan", "osmesa"))
+        self.refuse("--aov", "id,beauty", says=("beauty", "depth"))
+
+    def test_methods_and_shadows(self):
+        for method, shadows in (("raster", "blur"), ("raster", "rays"), ("raytrace", "map"), ("raytrace", "blur"),
+                                ("reference", "map"), ("reference", "blur")):
+            self.refuse("--method", method, "--shadows", shadows, says=(method, shadows))
+
+    def test_unknown_options_name_the_nearest(self):
+        self.refuse("--frmaes", "3", says=("--frmaes", "did you mean --frames?"))
+        self.refuse("--shadow", "map", says=("--shadow", "--shadows"))
+        self.refuse("--thread=3", says="--threads")
+        self.refuse("surplus", says="surplus")
+        self.fail_with(2, "rendre", SCENE, says="rendre")
+        self.fail_with(2, "render", says="scene")
+        self.fail_with(2, "doctor", "--jsno", says="--json")
+        self.fail_with(2, "scene", "sphere", "-o", "x.obj", says=("sphere", "spheres"))
+
+    def test_formats_are_refused_before_rendering(self):
+        for name in ("x.xyz", "x.null", "noextension", "x."):
+            self.refuse("-o", name, says=(name, ".png"))
+        self.refuse("-o", "folder/", says="folder/")
+        self.refuse("-o", "{frame:x}.png", says="{frame")
+        self.refuse("--contact-sheet", "sheet.xyz", says="sheet.xyz")
+
+    def test_one_standard_output_cannot_hold_both(self):
+        self.refuse("--timings", "-", "--json", says=("--timings", "--json"))
+
+    def test_help_and_nothing(self):
+        for arguments in ((), ("--help",), ("render", "--help")):
+            self.assertIn("render", self.succeed(*arguments).stdout)
+
+
+class SceneTest(CliTestCase):
+    def test_scenes_that_cannot_be(self):
+        os.mkdir(self.path("folder.obj"))
+        self.write("empty.obj", "")
+        self.write("points.obj", "v 0 0 0\n")
+        self.write("index.obj", TRIANGLE + "f 1 2 4\n")
+        self.write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n")
+        for name in ("missing.obj", "folder.obj", "empty.obj", "points.obj", "index.obj", "nan.obj"):
+            self.fail_with(3, "render", name, *SMALL, says=name)
+        self.fail_with(3, "render", "index.obj", *SMALL, says="index.obj:5")
+        self.fail_with(3, "render", "nan.obj", *SMALL, says="nan.obj:2")
+        self.fail_with(2, "render", "scene:cubes", *SMALL, says=("cubes", "spheres"))
+        self.fail_with(2, "render", "scene:spheres,triangles=1", *SMALL, says="triangles")
+        self.fail_with(2, "render", "scene:spheres,colour=red", *SMALL, says="colour")
+        self.assertFalse(os.path.exists(self.path("out")))
+
+
+class DeviceTest(CliTestCase):
+    def refuse(self, *arguments, says, **keywords):
+        self.fail_with(4, "render", SCENE, *SMALL[2:], "-q", *arguments, says=says, **keywords)
+
+    def test_bad_device(self):
+        self.refuse("--device", "egl:99", says=("egl:99", "doctor"))
+        self.refuse("--gl", "egl", "--device", "osmesa", says="osmesa")
+
+    def test_no_egl_vendor_says_what_was_tried(self):
+        self.refuse("--gl", "egl", says=("tried", "--method raytrace"),
+                    env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"})
+
+    def test_raytracing_needs_no_gl(self):
+        self.render("--method", "raytrace", env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"})
+
+    def test_size_over_the_limit_names_it(self):
+        self.refuse("--size", "65536x2", says=("65536", "GL_MAX_TEXTURE_SIZE"))
+        self.refuse("--size", "2x65536", says=("65536", "GL_MAX_TEXTURE_SIZE"))
+        self.refuse("--size", "8x8", "--shadow-map", "65536", says=("65536", "GL_MAX_TEXTURE_SIZE"))
+
+    def test_broken_shader_shows_the_log(self):
+        shaders = os.path.join(os.path.dirname(__file__), "..", "..", "shaders")
+        os.mkdir(self.path("shaders"))
+        for name in os.listdir(shaders):
+            with open(os.path.join(shaders, name), encoding="utf-8") as file:
+                self.write(os.path.join("shaders", name), file.read())
+        self.render("--shaders", "shaders")
+        self.write("shaders/shade.comp", "#version 450 core\nvoid main() { undeclared_thing = 1; other = 2; }\n")
+        self.refuse("--shaders", "shaders", says=("shade.comp", "undeclared_thing"))
+        os.remove(self.path("shaders/shared.h"))
+        self.refuse("--shaders", "shaders", says="shared.h")
+        self.fail_with(3, "render", SCENE, "--shaders", "nowhere", says="nowhere")
+
+
+class SystemTest(CliTestCase):
+    def refuse(self, *arguments, says):
+        self.fail_with(5, "render", SCENE, *SMALL, "-q", *arguments, says=says)
+
+    def test_missing_folders_are_made(self):
+        self.render("-o", "a/b/c/x.png")
+        self.assertIn("a/b/c/x.png", self.files())
+
+    def test_folder_that_is_a_file(self):
+        self.write("file", "keep me")
+        self.refuse("-o", "file/x.png", says="file")
+        self.refuse("-o", "x.png", "--timings", "file/t.csv", says="file/t.csv")
+        self.refuse("-o", "x.png", "--contact-sheet", "file/s.png", says="file")
+        self.assertEqual(self.read("file"), b"keep me")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
+    def test_full_disk(self):
+        self.refuse("-o", "x.png", "--timings", "/dev/full", says=("/dev/full", "No space left"))
+        import stat
+        self.assertTrue(stat.S_ISCHR(os.stat("/dev/full").st_mode), "the device was replaced by a file")
+
+    def test_picture_where_a_folder_is(self):
+        os.makedirs(self.path("x.png", "inside"))
+        self.refuse("-o", "x.png", says="x.png")
+        self.assertEqual([name for name in self.files() if "tmp" in name], [])
+
+
+if __name__ == "__main__":
+    unittest.main()

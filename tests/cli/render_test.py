@@ -1,0 +1,197 @@
+"""hybridrt render through the real binary: the files of a run and what stands in them."""
+
+import csv
+import json
+import os
+import unittest
+
+from cli_test_case import SCENE, SMALL, CliTestCase, Png
+
+COLUMNS = ("frame,shadow_map_ms,id_ms,mark_ms,readback_ms,trace_ms,upload_ms,shade_ms,download_ms,write_ms,wall_ms,"
+           "pixels_hit,pixels_marked,pixels_reflective,pixels_refractive,shadow_rays,reflection_rays,"
+           "refraction_rays,shadow_cpu_ms,secondary_cpu_ms").split(",")
+
+
+class RenderTest(CliTestCase):
+    def rows(self, name):
+        with open(self.path(name), newline="", encoding="ascii") as file:
+            lines = list(csv.reader(file))
+        self.assertEqual(lines[0][:len(COLUMNS)], COLUMNS)
+        self.assertTrue(all(len(line) == len(lines[0]) for line in lines))
+        return [{name: float(value) for name, value in zip(lines[0], line)} for line in lines[1:]]
+
+    def test_one_frame_by_default(self):
+        done = self.succeed("render", SCENE, *SMALL)
+        self.assertEqual(self.files(), ["out/run.json", "out/spheres.0001.png", "out/timings.csv"])
+        picture = Png.read(self.path("out/spheres.0001.png"))
+        self.assertEqual((picture.width, picture.height), (96, 72))
+        self.assertGreater(len({picture.pixel(x, y) for x in range(96) for y in range(72)}), 50)
+        for part in ("shadow map", "out/spheres.0001.png", "out/timings.csv", "frames/s"):
+            self.assertIn(part, done.stdout)
+
+    def test_default_size(self):
+        self.succeed("render", SCENE, "-q", "--method", "raster")
+        picture = Png.read(self.path("out/spheres.0001.png"))
+        self.assertEqual((picture.width, picture.height), (1024, 768))
+
+    def test_obj_gives_its_name(self):
+        self.write("my scene.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.succeed("render", "my scene.obj", *SMALL, "-q")
+        self.assertIn("out/my scene.0001.png", self.files())
+
+    def test_sequence_and_its_timings(self):
+        self.render("--frames", "8-12:2,3", "-o", "pictures/x.###.png")
+        self.assertEqual(self.files("pictures"),
+                         ["run.json", "timings.csv", "x.003.png", "x.008.png", "x.010.png", "x.012.png"])
+        rows = self.rows("pictures/timings.csv")
+        self.assertEqual([row["frame"] for row in rows], [8, 10, 12, 3])
+        for row in rows:
+            self.assertTrue(all(value >= 0 for value in row.values()))
+            self.assertLessEqual(row["pixels_hit"], 96 * 72)
+            self.assertLessEqual(row["pixels_marked"], row["pixels_hit"])
+            self.assertLessEqual(row["pixels_reflective"], row["pixels_hit"])
+            self.assertGreaterEqual(row["reflection_rays"], row["pixels_reflective"])
+            self.assertLessEqual(row["pixels_refractive"] + row["refraction_rays"], 0)
+            self.assertGreater(row["shadow_rays"], 0)
+            self.assertGreater(row["wall_ms"], 0)
+            self.assertGreater(row["write_ms"], 0)
+            self.assertGreater(row["id_ms"], 0)
+        self.assertGreater(rows[0]["shadow_map_ms"], 0)
+        self.assertEqual([row["shadow_map_ms"] for row in rows[1:]], [0, 0, 0], "the light stands still")
+
+    def test_pixels_hit_are_those_that_are_not_background(self):
+        self.render()
+        picture = Png.read(self.path("out/spheres.0001.png"))
+        background = picture.pixel(0, 0)
+        seen = sum(picture.pixel(x, y) != background for x in range(96) for y in range(72))
+        self.assertAlmostEqual(self.rows("out/timings.csv")[0]["pixels_hit"], seen, delta=5)
+
+    def test_run_facts(self):
+        self.render("--frames", "3", "--threads", "2", "--reflection-depth", "1")
+        report = json.loads(self.read("out/run.json"))
+        for key in ("version", "commit", "scene", "settings", "gl", "processor", "threads", "load_ms", "accel",
+                    "accel_build_ms", "drain_ms", "frames", "frames_per_second", "peak_memory_mib", "warnings"):
+            self.assertIn(key, report)
+        self.assertEqual(report["scene"]["triangles"], 500)
+        self.assertEqual(report["frames"], 3)
+        self.assertEqual(report["threads"], 2)
+        self.assertEqual(report["settings"]["reflection_depth"], 1)
+        self.assertTrue(report["gl"]["renderer"])
+        self.assertGreater(report["frames_per_second"], 0)
+
+    def test_parts_of_a_sequence_carry_their_range(self):
+        self.render("--frames", "3-4", "--sequence", "1-10")
+        self.assertEqual(self.files("out"), ["run.0003-0004.json", "spheres.0003.png", "spheres.0004.png",
+                                             "timings.0003-0004.csv"])
+
+    def test_parts_are_the_wholes_frames(self):
+        self.render("--frames", "6", "-o", "whole/x.png")
+        self.render("--frames", "4-5", "--sequence", "1-6", "-o", "part/x.png")
+        for name in ("x.0004.png", "x.0005.png"):
+            self.assertEqual(self.read("whole/" + name), self.read("part/" + name))
+
+    def test_patterns(self):
+        self.render("-o", "one.png")
+        self.assertIn("one.png", self.files())
+        self.render("--frames", "2", "-o", "two.png")
+        self.assertTrue({"two.0001.png", "two.0002.png"} <= set(self.files()))
+        self.render("--frames", "7-7", "-o", "a{frame:06}b.png")
+        self.assertIn("a000007b.png", self.files())
+        self.render("--frames", "2", "-o", "shots/{frame}/p.png")
+        self.assertTrue({"shots/1/p.png", "shots/2/p.png"} <= set(self.files()))
+
+    def test_contact_sheet(self):
+        self.render("--frames", "5", "--contact-sheet", "sheet.png")
+        sheet = Png.read(self.path("sheet.png"))
+        self.assertGreaterEqual(sheet.width, 4 * 320)
+        self.assertGreater(sheet.height, 2 * 200)
+
+    def test_aovs(self):
+        self.render("--aov", "id,shadow,marked,traced,depth,normal")
+        for name in ("id", "shadow", "marked", "traced", "depth", "normal"):
+            picture = Png.read(self.path(f"out/spheres.{name}.0001.png"))
+            self.assertGreater(len({picture.pixel(x, y) for x in range(96) for y in range(72)}), 1, name)
+
+    def test_other_formats(self):
+        for extension, magic in (("exr", b"\x76\x2f\x31\x01"), ("jpg", b"\xff\xd8"), ("tif", b"II"), ("bmp", b"BM"),
+                                 ("hdr", b"#?")):
+            self.render("-o", "x." + extension)
+            self.assertTrue(self.read("x." + extension).startswith(magic), extension)
+
+    def test_timings_elsewhere_and_on_standard_output(self):
+        self.render("--timings", "deep/down/t.csv", "--frames", "2")
+        self.assertEqual(len(self.rows("deep/down/t.csv")), 2)
+        for quiet in ((), ("-q",)):
+            done = self.succeed("render", SCENE, *SMALL, "--timings", "-", "--frames", "2", *quiet)
+            lines = done.stdout.splitlines()
+            self.assertEqual(lines[0].split(",")[:len(COLUMNS)], COLUMNS)
+            self.assertEqual([line.split(",")[0] for line in lines[1:]], ["1", "2"], "nothing but the CSV")
+
+    def test_json_events(self):
+        done = self.succeed("render", SCENE, *SMALL, "--json", "--frames", "3")
+        events = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([event["event"] for event in events], ["start", "frame", "frame", "frame", "end"])
+        self.assertEqual([event["frame"] for event in events[1:4]], [1, 2, 3])
+        for event in events[1:4]:
+            self.assertTrue(os.path.exists(self.path(event["path"])))
+        self.assertEqual(events[0]["frames"], 3)
+        self.assertEqual((events[4]["frames"], events[4]["stopped"]), (3, False))
+        self.assertEqual(done.stderr, "")
+
+    def test_json_warnings_are_events(self):
+        self.write("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n")
+        done = self.succeed("render", "odd.obj", *SMALL, "--json")
+        events = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([event["event"] for event in events], ["warning", "start", "frame", "end"])
+
+    def test_quiet_is_silent_and_talk_goes_to_standard_error(self):
+        done = self.render("--frames", "2")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+        done = self.succeed("render", SCENE, *SMALL, "--frames", "2", "-v")
+        self.assertIn("frame 2", done.stderr)
+        self.assertNotIn("\r", done.stderr, "no progress bar without a terminal")
+
+    def test_methods(self):
+        pictures = {}
+        for method in ("hybrid", "raster", "raytrace", "reference"):
+            self.render("--method", method, "-o", method + ".png")
+            pictures[method] = self.read(method + ".png")
+            self.assertEqual(len(self.rows("timings.csv")), 1)
+        for method in ("raytrace", "reference"):
+            self.succeed("compare", method + ".png", "hybrid.png", "--fail-percent", "2", "--hard-fail", "1")
+        self.assertNotEqual(pictures["raster"], pictures["hybrid"])
+
+
+class SameBytesTest(CliTestCase):
+    def pictures(self, *arguments, **keywords):
+        self.render("--frames", "4", "--aov", "id,shadow", "-o", "x.####.png", *arguments, **keywords)
+        names = [name for name in self.files() if name.endswith(".png")]
+        self.assertEqual(len(names), 12)
+        return {name: self.read(name) for name in names}
+
+    def test_same_command_same_bytes(self):
+        expected = self.pictures()
+        self.assertEqual(self.pictures(), expected)
+        for threads in ("1", "3"):
+            for slots in ("1", "3"):
+                self.assertEqual(self.pictures("--threads", threads, "--frames-in-flight", slots), expected)
+
+    def test_locale_changes_nothing(self):
+        expected = self.pictures("--light", "1,2.5,0.5", "--fov", "33.5")
+        german = {"LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8"}
+        self.assertEqual(self.pictures("--light", "1,2.5,0.5", "--fov", "33.5", env=german), expected)
+        self.assertNotIn(b";", self.read("timings.csv"))
+
+    def test_light_and_camera_change_the_picture(self):
+        expected = self.pictures()
+        for change in (("--light", "1,1,1"), ("--fov", "30"), ("--eye", "5,4,3"), ("--reflection-depth", "0")):
+            self.assertNotEqual(self.pictures(*change), expected, change)
+
+    def test_length_of_the_light_does_not_matter(self):
+        expected = self.pictures("--light", "1,2,3")
+        for light in ("2,4,6", "1e200,2e200,3e200", "1e-200,2e-200,3e-200"):
+            self.assertEqual(self.pictures("--light", light), expected, light)
+
+
+if __name__ == "__main__":
+    unittest.main()

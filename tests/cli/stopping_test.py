@@ -1,0 +1,121 @@
+"""Signals, closed pipes and endless sequences: what was finished is whole, nothing is torn."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from cli_test_case import BINARY, SCENE, SMALL, CliTestCase, Png
+
+
+class StoppingTest(CliTestCase):
+    def start_long(self, *arguments, **keywords):
+        return self.start("render", SCENE, *SMALL, "-q", "--frames", "1000000000", "-o", "x.####.png", *arguments,
+                          **keywords)
+
+    def wait_for_frames(self, process, count):
+        deadline = time.monotonic() + 60
+        while len([name for name in os.listdir(self.folder) if name.endswith(".png")]) < count:
+            self.assertIsNone(process.poll(), "it ended by itself")
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+
+    def expect_whole(self):
+        """Every frame is a whole picture, and the CSV has a row for each, in order."""
+        names = [name for name in self.files() if name.endswith(".png") and not name.startswith(".")]
+        for name in names:
+            Png.read(self.path(name))
+        lines = self.read("timings.csv").decode().splitlines()
+        self.assertEqual([int(line.split(",")[0]) for line in lines[1:]], list(range(1, len(names) + 1)))
+        self.assertTrue(all(line.count(",") == lines[0].count(",") for line in lines))
+        self.assertEqual([name for name in self.files() if name.startswith(".")], [], "temporary files")
+
+    def test_signals_finish_the_frame(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            with self.subTest(number):
+                process = self.start_long()
+                self.wait_for_frames(process, 3)
+                process.send_signal(number)
+                output, errors = process.communicate(timeout=60)
+                self.assertEqual(process.returncode, code, errors)
+                self.assertEqual(output, "")
+                self.expect_whole()
+                self.assertIn("run.json", self.files())
+
+    def test_stopped_json_ends_with_an_event(self):
+        import json
+        process = self.start_long("--json")
+        self.wait_for_frames(process, 2)
+        process.send_signal(signal.SIGINT)
+        output, _ = process.communicate(timeout=60)
+        events = [json.loads(line) for line in output.splitlines()]
+        self.assertEqual((events[-1]["event"], events[-1]["stopped"]), ("end", True))
+        self.assertEqual(events[-1]["frames"], len(events) - 2)
+
+    def test_a_second_signal_ends_at_once(self):
+        # A picture so large that finishing it takes far longer than ending.
+        process = self.start("render", "scene:spheres,triangles=200000", "--size", "4000x3000", "--method",
+                             "reference", "-o", "big.png", "-q")
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=5)
+        self.assertIn(process.returncode, (130, -signal.SIGINT))
+        self.assertNotIn("big.png", self.files())
+
+    def test_killed_at_any_moment_every_final_name_is_whole(self):
+        for wait in (1, 4, 7):
+            process = self.start_long()
+            self.wait_for_frames(process, wait)
+            process.kill()
+            process.communicate(timeout=60)
+            for name in self.files():
+                if not name.startswith("."):
+                    self.assertTrue(name.endswith(".png"), f"{name} is no whole file")
+                    Png.read(self.path(name))
+            for name in self.files():
+                os.remove(self.path(name))
+
+    # 10^9 frames cost no more memory than a few: held to what fifty frames used.
+    def test_memory_does_not_grow_with_the_sequence(self):
+        def peak_kib(pid):
+            with open(f"/proc/{pid}/status", encoding="ascii") as status:
+                return int(next(line for line in status if line.startswith("VmHWM")).split()[1])
+
+        process = self.start_long("--threads", "1")
+        self.wait_for_frames(process, 30)
+        early = peak_kib(process.pid)
+        self.wait_for_frames(process, 200)
+        late = peak_kib(process.pid)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+        self.assertLess(late, early + 10 * 1024, "KiB")
+
+    def test_closed_standard_output(self):
+        for arguments in (("--json",), ("--timings", "-"), ()):
+            with self.subTest(arguments):
+                read_end, write_end = os.pipe()
+                os.close(read_end)
+                process = self.start("render", SCENE, *SMALL, "--frames", "3", "-o", "c.####.png", *arguments,
+                                     stdout=write_end)
+                os.close(write_end)
+                _, errors = process.communicate(timeout=60)
+                self.assertIn(process.returncode, (0, 5), errors)
+                self.assertNotIn("internal", errors)
+                for name in self.files():
+                    if name.endswith(".png"):
+                        Png.read(self.path(name))
+
+    def test_no_standard_output_at_all(self):
+        command = [BINARY, "render", SCENE, *SMALL, "-o", "n.png"]
+        done = subprocess.run(["/bin/sh", "-c", 'exec "$@" >&-', "sh", *command], cwd=self.folder, timeout=60,
+                              stderr=subprocess.PIPE, text=True)
+        self.assertIn(done.returncode, (0, 5), done.stderr)
+        Png.read(self.path("n.png"))
+
+
+if __name__ == "__main__":
+    unittest.main()
