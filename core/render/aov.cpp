@@ -1,10 +1,10 @@
 #include "core/render/aov.h"
 
+#include <algorithm>
+
 #include "core/base/check.h"
 #include "core/trace/surface_at.h"
 #include "shaders/shared.h"
-
-#include <algorithm>
 
 namespace hybridrt {
 namespace {
@@ -29,16 +29,16 @@ vec3 hashed_color(uint32_t h) {
 
 Surface<double> surface_of(const Scene& scene, const View& view, uint32_t triangle, int x, int y) {
   const dvec3 dir = view.pixel_dir(x, y);
-  const dvec3 weights =
-      clamped_barycentrics(dvec3(scene.vertex(triangle, 0)) - view.eye, dvec3(scene.vertex(triangle, 1)) - view.eye,
-                           dvec3(scene.vertex(triangle, 2)) - view.eye, dir);
+  const dvec3 weights = clamped_barycentrics(dvec3(scene.vertex(triangle, 0)) - view.eye,
+                                             dvec3(scene.vertex(triangle, 1)) - view.eye,
+                                             dvec3(scene.vertex(triangle, 2)) - view.eye, dir);
   return surface_at(scene, triangle, weights.y, weights.z, dir);
 }
 
 }  // namespace
 
-std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept, const AovSource& source,
-                                  uint32_t aovs) {
+std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept,
+                                  const AovSource& source, uint32_t aovs) {
   const auto id = [&](size_t i) { return source.ids.empty() ? kNoTriangle : source.ids[i]; };
   const auto bit = [](std::span<const uint8_t> mask, size_t i, int which) {
     return !mask.empty() && (mask[i] & which) ? 1.0f : 0.0f;
@@ -68,13 +68,13 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
   if (aovs & kAovMarked)
     add_values("marked", [&](size_t i, int, int) { return bit(source.mask, i, HRT_MASK_MARKED); });
   if (aovs & kAovTraced)
-    add_vectors("traced", {"R", "G", "B"}, [&](size_t i, int, int) {
-      return source.traced.empty() ? vec3(0) : vec3(source.traced[i]);
-    });
+    add_vectors("traced", {"R", "G", "B"},
+                [&](size_t i, int, int) { return source.traced.empty() ? vec3(0) : vec3(source.traced[i]); });
   if (aovs & kAovDepth)
     add_values("depth", [&](size_t i, int x, int y) {
       if (id(i) == kNoTriangle) return 0.0f;
-      return static_cast<float>(glm::dot(surface_of(scene, view, id(i), x, y).point - view.eye, view.forward));
+      return static_cast<float>(
+          glm::dot(surface_of(scene, view, id(i), x, y).point - view.eye, view.forward));
     });
   if (aovs & kAovNormal)
     add_vectors("normal", {"X", "Y", "Z"}, [&](size_t i, int x, int y) {

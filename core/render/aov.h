@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/render/frame.h"
-
 #include <cstdint>
 #include <span>
+
+#include "core/render/frame.h"
 
 namespace hybridrt {
 
@@ -15,15 +15,15 @@ struct AovSource {
   std::span<const vec4> traced;
 };
 
-/// What `aovs` (Aov bits) asks for, over the part `kept` of the view's pixels, 0 where the frame had nothing to
-/// say:
+/// What `aovs` (Aov bits) asks for, over the part `kept` of the view's pixels, 0 where the frame had nothing
+/// to say:
 ///  - id: triangle numbers, kNoTriangle where none is seen
 ///  - shadow, marked: 1 or 0
 ///  - traced: R, G, B, linear
 ///  - depth: distance along the view, in scene units
 ///  - normal: X, Y, Z of the shading normal, -1..1
-std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept, const AovSource& source,
-                                  uint32_t aovs);
+std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept,
+                                  const AovSource& source, uint32_t aovs);
 
 /// An AOV as a picture to look at, linear: ids hashed to colours, depth as a share of the picture's farthest,
 /// normals as (n + 1) / 2, black where nothing is seen.

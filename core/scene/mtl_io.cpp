@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/scene/text_lines.h"
 #include "core/scene/text_scan.h"
+#include "core/scene/texture_name.h"
 
 namespace hybridrt {
 namespace {
@@ -42,8 +43,21 @@ bool names_a_texture(std::string_view statement) {
 }
 
 struct Tallies {
-  Tally textures, foreign_colors, bad_ni, bad_illum;
+  Tally textures, foreign_textures, missing_textures, foreign_colors, bad_ni, bad_illum;
+  std::string first_missing;
 };
+
+/// Counts the texture and what is wrong with its name.
+void look_for_texture(const Statement& s, Tallies& tallies) {
+  const size_t line = s.lines.line_number();
+  tallies.textures.add(line);
+  const std::string name = texture_name(s.rest);
+  const TextureFile file = find_texture(s.lines.path().parent_path(), name);
+  if (file.foreign) tallies.foreign_textures.add(line);
+  if (!file.path.empty()) return;
+  if (tallies.missing_textures.count == 0) tallies.first_missing = name;
+  tallies.missing_textures.add(line);
+}
 
 struct Reading {
   Material material;
@@ -77,7 +91,7 @@ void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
     m.illum = known ? static_cast<int>(model) : 2;
     if (!known) tallies.bad_illum.add(line);
   } else if (names_a_texture(s.name)) {
-    tallies.textures.add(line);
+    look_for_texture(s, tallies);
   }  // Ka and what else there is: not used
 }
 
@@ -120,6 +134,10 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
   if (inside) finish_material(reading, materials);
 
   report(tallies.textures, "texture maps are not read yet", path, warnings);
+  report(tallies.foreign_textures, "texture names lead to other folders; only files beside the MTL are looked for", path,
+         warnings);
+  report(tallies.missing_textures, fmt::format("texture files are missing ({})", in_quotes(tallies.first_missing)), path,
+         warnings);
   report(tallies.foreign_colors, "colours are given as spectral or xyz, which are not read", path, warnings);
   report(tallies.bad_ni, "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
   report(tallies.bad_illum, "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);

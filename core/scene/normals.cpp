@@ -47,7 +47,11 @@ FaceAtVertex face_at_vertex(const Scene& scene, uint32_t corner) {
   const dvec3 b = dvec3(scene.vertex(t, (k + 2) % 3)) - p;
   const dvec3 cross = glm::cross(a, b);
   const double length = glm::length(cross);
-  return {cross / length, std::atan2(length, glm::dot(a, b))};
+  if (length > 0) return {cross / length, std::atan2(length, glm::dot(a, b))};
+  // A needle, seen from its far end: one edge is lost in the rounding of the other two. Its loader's test for
+  // area looks from the first corner.
+  const dvec3 first(scene.vertex(t, 0));
+  return {glm::normalize(glm::cross(dvec3(scene.vertex(t, 1)) - first, dvec3(scene.vertex(t, 2)) - first)), 0};
 }
 
 /// The normals of one vertex: writes those that are missing, as local indices into `normals`.
@@ -72,7 +76,7 @@ void build_at_vertex(Scene& scene, std::span<const uint32_t> corners, std::vecto
     }
     // Corners that average the same faces do so in the same order, and get the same bits. In large fans only
     // the latest normals are compared, or it would be quadratic after all.
-    const vec3 normal(glm::normalize(sum));
+    const vec3 normal(sum != dvec3(0) ? glm::normalize(sum) : faces[i].normal);
     const size_t from = std::max(first_own, normals.size() > kMostFaces ? normals.size() - kMostFaces : 0);
     const auto same = std::find(normals.begin() + from, normals.end(), normal);
     slot(corners[i]) = kLocal | static_cast<uint32_t>(same - normals.begin());

@@ -15,10 +15,10 @@ namespace hybridrt {
 struct SceneDescription {
   std::vector<std::filesystem::path> meshes;  ///< at least one, as found from the JSON's folder
   std::optional<UpAxis> up_axis;
-  std::optional<DirectionalLight> light;      ///< `toward` unit
+  std::optional<DirectionalLight> light;  ///< `toward` unit
   std::optional<vec3> ambient, background;
-  /// Render options by the names of the command line, without dashes, and their values as text; "true" where a
-  /// flag is set. Their names are not checked here.
+  /// Render options by the names of the command line, without dashes, and their values as text; "true" where
+  /// a flag is set. Their names are not checked here.
   std::vector<std::pair<std::string, std::string>> settings;
 };
 
@@ -30,9 +30,10 @@ bool is_scene_file(const std::filesystem::path& path);
 /// both a camera and a camera path.
 SceneDescription read_scene_file(const std::filesystem::path& path);
 
-/// The camera of a scene JSON ("camera", or "camera_path" as an object or the name of a file beside it), if it
-/// has one. Apart, since it needs to know what the command line makes of the up axis and the field of view.
-std::optional<CameraCourse> read_scene_file_camera(const std::filesystem::path& path, const CameraFileContext& context,
-                                                   Warnings& warnings);
+/// The camera of a scene JSON ("camera", or "camera_path" as an object or the name of a file beside it), if
+/// it has one. Apart, since it needs to know what the command line makes of the up axis and the field of
+/// view.
+std::optional<CameraCourse> read_scene_file_camera(const std::filesystem::path& path,
+                                                   const CameraFileContext& context, Warnings& warnings);
 
 }  // namespace hybridrt

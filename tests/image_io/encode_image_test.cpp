@@ -36,6 +36,47 @@ TEST(EncodeImage, PngFollowsTheCurveByTheNearestCode) {
   for (size_t i = 0; i < back.data.size(); ++i) EXPECT_EQ(std::lround(back.data[i] * 255), expected[i]) << i;
 }
 
+/// What an EXR's channel list says: names and pixel types (0 whole numbers, 2 floats).
+std::map<std::string, int> exr_channels(const std::string& file) {
+  const std::string start("channels\0chlist\0", 16);
+  size_t at = file.find(start) + start.size() + 4;
+  std::map<std::string, int> channels;
+  while (file[at] != 0) {
+    const std::string name = file.c_str() + at;
+    at += name.size() + 1;
+    channels[name] = file[at];
+    at += 16;
+  }
+  return channels;
+}
+
+TEST(EncodeImage, ExrHasTheLayersAsChannels) {
+  Image image = gradient(31, 17, 3);
+  const size_t pixels = image.pixel_count();
+  ImageLayer id{"id", {""}, {}, {}}, normal{"normal", {"X", "Y", "Z"}, {}, {}};
+  for (size_t i = 0; i < pixels; ++i) id.numbers.push_back(i == 0 ? 0xFFFFFFFFu : static_cast<uint32_t>(16777217 + i));
+  for (size_t i = 0; i < 3 * pixels; ++i) normal.values.push_back(-1 + static_cast<float>(i) / pixels);
+  image.layers = {id, normal};
+  const std::vector<unsigned char> bytes = encode_image(image, "exr");
+  EXPECT_EQ(bytes, encode_image(image, "exr"));
+  const std::string file = EncodedFile::as_string(bytes);
+  const std::map<std::string, int> expected = {{"R", 2},        {"G", 2},        {"B", 2},       {"id", 0},
+                                               {"normal.X", 2}, {"normal.Y", 2}, {"normal.Z", 2}};
+  EXPECT_EQ(exr_channels(file), expected);
+  const Image back = read_image(EncodedFile(file, "exr").path);
+  ASSERT_EQ(back.channels, 7);
+  for (size_t i = 0; i < pixels; ++i)
+    for (size_t c = 0; c < 3; ++c) {
+      ASSERT_EQ(back.data[7 * i + c], image.data[3 * i + c]);
+      ASSERT_EQ(back.data[7 * i + 4 + c], normal.values[3 * i + c]);
+    }
+  EXPECT_TRUE(keeps_layers("a.exr"));
+  EXPECT_FALSE(keeps_layers("a.png"));
+  EXPECT_EQ(read_image(EncodedFile(image, "png").path).channels, 3) << "left out where there is no room";
+  image.layers[1].values[5] = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(encode_image(image, "exr"), Error);
+}
+
 TEST(EncodeImage, ExrIsExact) {
   for (const int channels : {1, 2, 3, 4, 6}) {
     Image image = gradient(61, 43, channels);

@@ -1,4 +1,5 @@
 #include "core/scene/mtl_io.h"
+#include "core/scene/texture_name.h"
 #include "tests/unit/obj_test.h"
 
 namespace hybridrt {
@@ -93,6 +94,70 @@ TEST(Mtl, CountsTexturesAndForeignColours) {
       warnings);
   EXPECT_TRUE(warned(warnings, "test.mtl: 3 texture maps are not read yet (first at line 2)"));
   EXPECT_TRUE(warned(warnings, "2 colours are given as spectral or xyz"));
+}
+
+TEST(Mtl, TextureNamesArePickedOutOfTheirOptions) {
+  EXPECT_EQ(texture_name(" a.png"), "a.png");
+  EXPECT_EQ(texture_name(" -o 1 2 my wood.png "), "my wood.png");
+  EXPECT_EQ(texture_name("-s 1 1 1 -mm 0 1 -bm 0.3 -clamp on -imfchan r -type sphere a b.png"), "a b.png");
+  EXPECT_EQ(texture_name("-o 0.5 3.png"), "3.png") << "fewer numbers than three";
+  EXPECT_EQ(texture_name("a-b -c.png -texres 64"), "a-b -c.png") << "an option behind the name";
+  EXPECT_EQ(texture_name("-o -1 -2 -3 x.png"), "x.png");
+  EXPECT_EQ(texture_name("-blendu on"), "");
+}
+
+TEST(Mtl, TexturesAreFoundBesideTheFileOnly) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path / "maps");
+  folder.write("wood.png", "x");
+  folder.write("maps/tile.png", "x");
+  const auto found = [&](const string& name) { return find_texture(folder.path, name); };
+  EXPECT_EQ(found("wood.png").path, folder.path / "wood.png");
+  EXPECT_EQ(found("maps/tile.png").path, folder.path / "maps/tile.png");
+  EXPECT_EQ(found("maps\\tile.png").path, folder.path / "maps/tile.png");
+  EXPECT_EQ(found("elsewhere/wood.png").path, folder.path / "wood.png");
+  for (const string foreign : {"/usr/share/wood.png", "..\\wood.png", "C:\\maps\\wood.png", "maps/../../wood.png"}) {
+    EXPECT_TRUE(found(foreign).foreign) << foreign;
+    EXPECT_EQ(found(foreign).path, folder.path / "wood.png") << foreign;
+  }
+  EXPECT_TRUE(found("/etc/passwd").path.empty()) << "never outside";
+  EXPECT_TRUE(found("gone.png").path.empty());
+  EXPECT_TRUE(found("").path.empty());
+  EXPECT_FALSE(found("gone.png").foreign);
+}
+
+TEST(Mtl, SaysWhichTexturesAreMissingOrForeign) {
+  const TemporaryFolder folder;
+  folder.write("wood.png", "x");
+  Warnings warnings;
+  std::vector<Material> materials;
+  read_mtl(folder.write("test.mtl", "newmtl m\nmap_Kd C:\\x\\wood.png\nmap_Ks gone away.png\n"), materials, warnings);
+  EXPECT_TRUE(warned(warnings, "2 texture maps are not read yet"));
+  EXPECT_TRUE(warned(warnings, "1 texture names lead to other folders"));
+  EXPECT_TRUE(warned(warnings, "1 texture files are missing ('gone away.png') (first at line 3)"));
+}
+
+TEST(Mtl, EveryIlluminationModelIsOneRowOfTheTable) {
+  // core/scene/material.h, with Ks 0.5, Ni 1.5 and d 1.
+  struct Row {
+    bool highlight, mirror, glass;
+    Fresnel fresnel;
+  };
+  const Row rows[] = {{false, false, false, Fresnel::none},      {false, false, false, Fresnel::none},
+                      {true, false, false, Fresnel::none},       {true, true, false, Fresnel::none},
+                      {true, true, true, Fresnel::dielectric},   {true, true, false, Fresnel::schlick},
+                      {true, true, true, Fresnel::dielectric},   {true, true, true, Fresnel::dielectric},
+                      {true, true, false, Fresnel::none},        {true, true, true, Fresnel::dielectric},
+                      {true, false, false, Fresnel::none}};
+  for (int illum = 0; illum <= 10; ++illum) {
+    const Material m = read_one("Ks 0.5\nNi 1.5\nillum " + std::to_string(illum) + "\n");
+    EXPECT_EQ(m.ks != vec3(0), rows[illum].highlight) << illum;
+    EXPECT_EQ(m.reflect != vec3(0), rows[illum].mirror) << illum;
+    EXPECT_EQ(m.transmissive(), rows[illum].glass) << illum;
+    EXPECT_EQ(m.fresnel, rows[illum].fresnel) << illum;
+    EXPECT_EQ(m.ni, rows[illum].glass ? 1.5f : 1.0f) << illum;
+    EXPECT_TRUE(read_one("d 0.4\nillum " + std::to_string(illum) + "\n").transmissive()) << illum;
+  }
 }
 
 struct ObjWithLibraries : testing::Test {

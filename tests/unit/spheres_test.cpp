@@ -175,7 +175,7 @@ TEST(SceneSource, TakesProceduralScenesAndFiles) {
 
 TEST(SceneSource, SaysWhatIsAllowed) {
   const TemporaryFolder folder;
-  const std::string fbx = folder.write("a.fbx", "ply\n").string();
+  const std::string blend = folder.write("a.blend", "x").string();
   const std::tuple<std::string, ErrorKind, std::string> cases[] = {
       {"scene:cubes", ErrorKind::usage, "spheres"},
       {"scene:", ErrorKind::usage, "spheres"},
@@ -187,7 +187,7 @@ TEST(SceneSource, SaysWhatIsAllowed) {
       {"scene:spheres,reflective=nan", ErrorKind::usage, "reflective"},
       {"scene:spheres,reflective=101", ErrorKind::usage, "0 to 100"},
       {"/nowhere/to/be/found.obj", ErrorKind::input, "does not exist"},
-      {fbx, ErrorKind::input, ".fbx"},
+      {blend, ErrorKind::input, ".blend files are not read"},
       {folder.path.string(), ErrorKind::input, "is a directory"},
   };
   ThreadPool pool(1);
