@@ -7,43 +7,60 @@
 
 #include "cli/commands.h"
 #include "core/scene/obj_writer.h"
-#include "core/scene/spheres.h"
+#include "core/scene/procedural.h"
+#include "core/scene/scene_json_writer.h"
 
 namespace hybridrt::cli {
 namespace {
 
 struct SceneArguments {
   std::string name;
-  SpheresOptions spheres;
+  ProceduralOptions options;
   std::string output;
 };
 
 ExitCode write_scene(const SceneArguments& arguments) {
-  const std::string output = arguments.output.empty() ? arguments.name + ".obj" : arguments.output;
-  const SpheresPlan plan = plan_spheres(arguments.spheres);
-  const WrittenObj written = write_obj(make_spheres(arguments.spheres), output);
-  fmt::print("{}: {} triangles, {} balls, {} of them mirrors, {} bytes; materials in {}\n", output,
-             plan.triangles(), plan.balls(), std::count(plan.is_mirror.begin(), plan.is_mirror.end(), 1),
-             written.obj_bytes, written.mtl.string());
+  const std::filesystem::path output = arguments.output.empty() ? arguments.name + ".obj" : arguments.output;
+  const ProceduralScene& procedural = *find_procedural(arguments.name);
+  const Scene scene = procedural.make(arguments.options);
+  const WrittenObj written = write_obj(scene, output);
+  const std::filesystem::path json = std::filesystem::path(output).replace_extension(".json");
+  write_scene_json(json, output.filename().string(), scene, procedural.shot());
+  const auto reflects = [&](uint32_t material) { return scene.materials[material].reflective(); };
+  fmt::print("{}: {} triangles ({} of them reflect), {} bytes; materials in {}, camera and lights in {}\n",
+             output.string(), scene.triangle_count(),
+             std::count_if(scene.triangle_materials.begin(), scene.triangle_materials.end(), reflects),
+             written.obj_bytes, written.mtl.string(), json.string());
   return ExitCode::ok;
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> names;
+  for (const ProceduralScene& scene : procedural_scenes()) names.emplace_back(scene.name);
+  return names;
+}
+
+std::string about_triangles() {
+  std::string text = "how many in all, met within 5 % (";
+  for (const ProceduralScene& s : procedural_scenes())
+    text += fmt::format("{}{}: {} to {}, default {}", &s == procedural_scenes().data() ? "" : "; ", s.name,
+                        s.fewest_triangles, s.most_triangles, s.default_triangles);
+  return text + ")";
 }
 
 }  // namespace
 
 void add_scene_command(CLI::App& app, Command& chosen) {
-  CLI::App* scene = app.add_subcommand("scene", "write a procedural scene as OBJ and MTL");
+  CLI::App* scene = app.add_subcommand("scene", "write a procedural scene as OBJ, MTL and scene JSON");
   const auto arguments = std::make_shared<SceneArguments>();
-  scene->add_option("NAME", arguments->name, "which one")->required()->check(CLI::IsMember({"spheres"}));
-  scene
-      ->add_option("--triangles", arguments->spheres.triangles,
-                   fmt::format("how many in all, {} to {}, met within 2 %", SpheresOptions::kFewestTriangles,
-                               SpheresOptions::kMostTriangles))
-      ->capture_default_str();
-  scene
-      ->add_option("--reflective", arguments->spheres.reflective_percent,
-                   "percent of the balls that are mirrors")
-      ->capture_default_str();
-  scene->add_option("-o,--output", arguments->output, "the .obj file (default: NAME.obj)");
+  scene->add_option("NAME", arguments->name, "which one")->required()->check(CLI::IsMember(names()));
+  scene->add_option("--triangles", arguments->options.triangles, about_triangles());
+  scene->add_option(
+      "--reflective", arguments->options.reflective_percent,
+      "percent of the connected components that are mirrors, all else opaque and matt (spheres: 10 % "
+      "of the balls; chess and thin without it: as designed)");
+  scene->add_option("-o,--output", arguments->output,
+                    "the .obj file (default: NAME.obj); the others beside it");
   scene->callback([arguments, &chosen] { chosen = [arguments] { return write_scene(*arguments); }; });
 }
 

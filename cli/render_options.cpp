@@ -196,6 +196,12 @@ CameraCourse make_course(const RenderOptions& o, RenderJob& job, UpAxis up_axis,
     course = *of_scene;
   } else {
     const double aspect = static_cast<double>(job.settings.width_px) / job.settings.height_px;
+    const SceneShot shot = shot_of(o.scene);
+    if (o.eye.empty() && shot.camera) {
+      course = orbit_through(*shot.camera);
+      if (o.fov_deg) set_fov(course, fov);
+      return course;
+    }
     if (o.eye.empty()) {
       job.caster = make_scene_caster(job.scene, job.accel, pool);
       const DefaultView view = choose_default_view(job.scene, *job.caster.caster, aspect, fov);

@@ -4,8 +4,8 @@
 
 #include "core/base/error.h"
 #include "core/scene/mesh_io.h"
+#include "core/scene/procedural.h"
 #include "core/scene/scene_file.h"
-#include "core/scene/spheres.h"
 #include "core/scene/text_scan.h"
 
 namespace hybridrt {
@@ -31,10 +31,11 @@ double parse_value(const std::string& argument, std::string_view key, std::strin
 Scene make_procedural(const std::string& argument) {
   std::string_view rest = std::string_view(argument).substr(kPrefix.size());
   const std::string_view name = take_part(rest);
-  if (name != "spheres")
-    throw error(ErrorKind::usage, "{}: there is no procedural scene {}; there is: spheres", argument,
-                in_quotes(name));
-  SpheresOptions options;
+  const ProceduralScene* scene = find_procedural(name);
+  if (!scene)
+    throw error(ErrorKind::usage, "{}: there is no procedural scene {}; there are: {}", argument,
+                in_quotes(name), procedural_names());
+  ProceduralOptions options;
   while (!rest.empty()) {
     const std::string_view part = take_part(rest);
     const size_t equals = part.find('=');
@@ -53,7 +54,7 @@ Scene make_procedural(const std::string& argument) {
                   in_quotes(key));
     }
   }
-  return make_spheres(options);
+  return scene->make(options);
 }
 
 }  // namespace
@@ -68,8 +69,8 @@ Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& 
   const std::filesystem::path path(scene_argument);
   std::error_code unreachable;
   if (!std::filesystem::exists(path, unreachable))
-    throw error(ErrorKind::input, "{} does not exist; SCENE is a {} file, a scene .json or scene:spheres",
-                scene_argument, kMeshFormats);
+    throw error(ErrorKind::input, "{} does not exist; SCENE is a {} file, a scene .json or scene:NAME ({})",
+                scene_argument, kMeshFormats, procedural_names());
   if (is_scene_file(path)) {
     const SceneDescription description = read_scene_file(path);
     const UpAxis up = up_axis ? *up_axis : description.up_axis.value_or(UpAxis::y);

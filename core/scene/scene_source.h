@@ -11,7 +11,8 @@
 namespace hybridrt {
 
 /// The scene that a command's SCENE argument means: the path of a mesh file or of a scene JSON that names
-/// several (load_meshes), or a procedural one: `scene:spheres`, with `,triangles=N` and `,reflective=P` behind it (make_spheres).
+/// several (load_meshes), or a procedural one (procedural.h): `scene:chess`, say, with `,triangles=N` and
+/// `,reflective=P` behind it.
 /// Throws Error: usage for an unknown scene name, key or value, naming what is allowed; input for a file
 /// that is missing or of a kind we do not read, and whatever load_meshes() and read_scene_file() throw.
 /// `up_axis` replaces what a scene JSON says; procedural scenes have y up and take no other.

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "core/base/error.h"
+#include "core/scene/fixed_random.h"
+#include "core/scene/paint.h"
 
 namespace hybridrt {
 namespace {
@@ -24,23 +25,6 @@ constexpr std::array<Paint, 5> kPaints = {{{"brick", {0.55f, 0.16f, 0.10f}},
                                            {"moss", {0.20f, 0.36f, 0.12f}},
                                            {"slate", {0.13f, 0.27f, 0.45f}},
                                            {"chalk", {0.62f, 0.60f, 0.55f}}}};
-
-/// SplitMix64 (Steele, Lea, Flood 2014): the same numbers everywhere, unlike std::shuffle.
-uint64_t next_random(uint64_t& state) {
-  uint64_t z = state += 0x9E3779B97F4A7C15ull;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-  return z ^ (z >> 31);
-}
-
-/// Fisher-Yates with a fixed start.
-std::vector<int> shuffled(int count) {
-  std::vector<int> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  uint64_t state = 2005;
-  for (int i = count - 1; i > 0; --i) std::swap(order[i], order[next_random(state) % (i + 1)]);
-  return order;
-}
 
 /// Rings and segments whose 2 * segments * (rings - 1) triangles come closest to `triangles` from below,
 /// among those with about twice as many segments as rings.
@@ -117,17 +101,6 @@ std::vector<uvec3> ball_triangles(const SpheresPlan& plan) {
   return triangles;
 }
 
-Material make_material(std::string name, vec3 kd, bool mirror) {
-  Material m;
-  m.name = std::move(name);
-  m.kd = kd;
-  m.ks = vec3(mirror ? 0.5f : 0.15f);
-  m.ns = mirror ? 200.f : 40.f;
-  m.illum = mirror ? 3 : 2;
-  resolve_material(m);
-  return m;
-}
-
 /// The material of each ball; adds those needed, in the order of first use.
 std::vector<uint32_t> paint_balls(const SpheresPlan& plan, Scene& scene) {
   std::array<uint32_t, 2 * kPaints.size()> slots;
@@ -140,9 +113,7 @@ std::vector<uint32_t> paint_balls(const SpheresPlan& plan, Scene& scene) {
     uint32_t& slot = slots[2 * paint + mirror];
     if (slot == kNoTriangle) {
       slot = static_cast<uint32_t>(scene.materials.size());
-      // A mirror keeps half of its colour: with Ks 0.5 it still sends back no more light than it gets.
-      scene.materials.push_back(make_material(std::string(kPaints[paint].name) + (mirror ? "_mirror" : ""),
-                                              kPaints[paint].kd * (mirror ? 0.5f : 1.f), mirror));
+      scene.materials.push_back(painted(kPaints[paint].name, kPaints[paint].kd, mirror));
     }
     materials.push_back(slot);
   }
@@ -167,11 +138,7 @@ SpheresPlan plan_spheres(const SpheresOptions& options) {
   choose_ball(plan, static_cast<int64_t>(kBallShare * total) / plan.balls());
   choose_ground(plan, (options.triangles - plan.balls() * plan.ball_triangles() + 1) / 2);
 
-  int mirrors = static_cast<int>(std::lround(options.reflective_percent * plan.balls() / 100));
-  if (options.reflective_percent > 0) mirrors = std::max(mirrors, 1);
-  const std::vector<int> order = shuffled(plan.balls());
-  plan.is_mirror.assign(plan.balls(), 0);
-  for (int rank = 0; rank < mirrors; ++rank) plan.is_mirror[order[rank]] = 1;
+  plan.is_mirror = choose_mirrors(plan.balls(), options.reflective_percent);
   return plan;
 }
 
@@ -184,7 +151,7 @@ Scene make_spheres(const SpheresOptions& options) {
   scene.triangle_positions.reserve(plan.triangles());
   scene.triangle_normals.reserve(plan.triangles());
   scene.triangle_materials.reserve(plan.triangles());
-  scene.materials.push_back(make_material("ground", vec3(0.45f, 0.43f, 0.40f), false));
+  scene.materials.push_back(painted("ground", vec3(0.45f, 0.43f, 0.40f)));
   add_ground(scene, plan, 0);
 
   const std::vector<uint32_t> materials = paint_balls(plan, scene);

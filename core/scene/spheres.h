@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/scene/scene_shot.h"
 
 namespace hybridrt {
 
@@ -37,5 +38,8 @@ SpheresPlan plan_spheres(const SpheresOptions& options);
 /// and five matte colours, each as a mirror too (illum 3, Ks 0.5); those that are used, no more.
 /// Throws as plan_spheres().
 Scene make_spheres(const SpheresOptions& options);
+
+/// The default orbit and light show it best.
+inline SceneShot spheres_shot() { return {}; }
 
 }  // namespace hybridrt

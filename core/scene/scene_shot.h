@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+
+namespace hybridrt {
+
+/// How a procedural scene is best looked at. What is absent is left to the defaults that any scene has (an
+/// orbit around it, a light over the camera's left shoulder).
+struct SceneShot {
+  std::optional<Camera> camera;
+  std::optional<DirectionalLight> light;
+};
+
+}  // namespace hybridrt
