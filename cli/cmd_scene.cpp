@@ -25,7 +25,7 @@ ExitCode write_scene(const SceneArguments& arguments) {
   const Scene scene = procedural.make(arguments.options);
   const WrittenObj written = write_obj(scene, output);
   const std::filesystem::path json = std::filesystem::path(output).replace_extension(".json");
-  write_scene_json(json, output.filename().string(), scene, procedural.shot());
+  write_scene_json(json, output.filename().string(), procedural.shot());
   const auto reflects = [&](uint32_t material) { return scene.materials[material].reflective(); };
   fmt::print("{}: {} triangles ({} of them reflect), {} bytes; materials in {}, camera and lights in {}\n",
              output.string(), scene.triangle_count(),

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/scene/scene_file.h"
 #include "core/render/default_view.h"
+#include "core/scene/procedural.h"
 #include "core/scene/scene_source.h"
 
 #include <CLI/CLI.hpp>
@@ -361,8 +362,9 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings)
   const UpAxis up = up_axis ? *up_axis : scene.up_axis.value_or(UpAxis::y);
   RenderJob job;
   job.settings = make_settings(o);
-  job.settings.ambient = scene.ambient.value_or(job.settings.ambient);
-  job.settings.background = scene.background.value_or(job.settings.background);
+  const SceneShot shot = shot_of(o.scene);
+  job.settings.ambient = scene.ambient.value_or(shot.ambient.value_or(job.settings.ambient));
+  job.settings.background = scene.background.value_or(shot.background.value_or(job.settings.background));
   job.frames = parse_frame_spec(o.frames);
   if (o.threads != 0) require_range("--threads", o.threads, 1, 1024);
   job.threads = o.threads ? o.threads : allowed_processors();
@@ -375,7 +377,7 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings)
   job.motion.sequence = make_sequence(o, job.frames);
   Surroundings surroundings = Surroundings::outside;
   job.motion.course = make_course(o, job, up, surroundings, pool, warnings);
-  job.light = make_light(o, job, up, scene.light, surroundings);
+  job.light = make_light(o, job, up, scene.light ? scene.light : shot.light, surroundings);
   return job;
 }
 

@@ -81,6 +81,18 @@ Camera camera_on_orbit(const Orbit& orbit, double fraction) {
   return camera;
 }
 
+Orbit orbit_through(const Camera& camera) {
+  const dvec3 away = camera.eye_world - camera.target_world;
+  Orbit orbit;
+  orbit.target_world = camera.target_world;
+  orbit.radius = std::hypot(away.x, away.z);
+  orbit.height = away.y;
+  orbit.from_rad = std::atan2(away.x, away.z);
+  orbit.to_rad = orbit.from_rad + 2 * kPi;
+  orbit.fov_y_rad = camera.fov_y_rad;
+  return orbit;
+}
+
 Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad) {
   const Silhouette silhouette = sweep(scene);
   const Picture picture{std::tan(0.5 * fov_y_rad) * aspect, std::tan(0.5 * fov_y_rad)};

@@ -27,6 +27,9 @@ struct Orbit {
   bool outward = false;      ///< the eye stands at `target_world` and looks to where it would otherwise stand
 };
 
+/// The orbit once around the camera's target that starts where the camera stands.
+Orbit orbit_through(const Camera& camera);
+
 /// The eye `fraction` (0..1) of the way through the orbit.
 Camera camera_on_orbit(const Orbit& orbit, double fraction);
 

@@ -125,8 +125,6 @@ Scene make_chess(const ChessOptions& options) {
       choose_mirrors(static_cast<int>(components.size()), options.reflective_percent.value_or(0));
   for (size_t i = 0; i < components.size(); ++i)
     add_mesh(scene, *components[i].mesh, components[i].placement, components[i].material(is_mirror[i]));
-  scene.background = {0.045f, 0.060f, 0.078f};
-  scene.ambient = {0.20f, 0.205f, 0.215f};
   scene.bounds = compute_bounds(scene);
   validate(scene);
   return scene;
@@ -140,6 +138,8 @@ SceneShot chess_shot() {
   camera.fov_y_rad = 38 * kPi / 180;
   shot.camera = camera;
   shot.light = DirectionalLight{glm::normalize(dvec3(-1, 0.9, 0.3)), vec3(1)};
+  shot.background = vec3(0.045f, 0.060f, 0.078f);
+  shot.ambient = vec3(0.20f, 0.205f, 0.215f);
   return shot;
 }
 

@@ -49,8 +49,9 @@ TriangleMesh mesh_of(std::span<const Patch> patches) {
   TriangleMesh mesh;
   for (const Patch& patch : patches) append_patch(mesh, patch);
 
+  ThreadPool alone(1);
   // Positions found once each, in the order of their first use.
-  const std::vector<uint32_t> same = weld_positions(mesh.positions);
+  const std::vector<uint32_t> same = weld_positions(mesh.positions, alone);
   std::vector<uint32_t> kept(same.size());
   std::vector<vec3> positions;
   for (uint32_t i = 0; i < same.size(); ++i) {

@@ -25,7 +25,7 @@ Json color(const vec3& c) { return {short_number(c.x), short_number(c.y), short_
 
 }  // namespace
 
-void write_scene_json(const std::filesystem::path& path_json, const std::string& mesh, const Scene& scene,
+void write_scene_json(const std::filesystem::path& path_json, const std::string& mesh,
                       const SceneShot& shot) {
   Json json;
   json["meshes"] = {mesh};
@@ -42,8 +42,8 @@ void write_scene_json(const std::filesystem::path& path_json, const std::string&
     json["lights"] = {{{"type", "directional"},
                        {"toward", numbers(shot.light->toward)},
                        {"color", color(shot.light->color)}}};
-  if (scene.ambient != Scene().ambient) json["ambient"] = color(scene.ambient);
-  if (scene.background != Scene().background) json["background"] = color(scene.background);
+  if (shot.ambient) json["ambient"] = color(*shot.ambient);
+  if (shot.background) json["background"] = color(*shot.background);
   write_file_atomically(path_json, std::string_view(json.dump(1) + "\n"));
 }
 

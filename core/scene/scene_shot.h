@@ -12,6 +12,7 @@ namespace hybridrt {
 struct SceneShot {
   std::optional<Camera> camera;
   std::optional<DirectionalLight> light;
+  std::optional<vec3> ambient, background;
 };
 
 }  // namespace hybridrt

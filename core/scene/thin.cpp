@@ -199,8 +199,6 @@ Scene make_thin(const ThinOptions& options) {
   for (size_t i = 0; i < grass.size(); ++i)
     if (!grass[i].positions.empty())
       add_mesh(scene, grass[i], {}, find_material(scene, kGrass[i / 2], i % 2 != 0));
-  scene.background = {0.42f, 0.55f, 0.72f};
-  scene.ambient = {0.18f, 0.20f, 0.23f};
   scene.bounds = compute_bounds(scene);
   validate(scene);
   return scene;
@@ -214,6 +212,8 @@ SceneShot thin_shot() {
   camera.fov_y_rad = 42 * kPi / 180;
   shot.camera = camera;
   shot.light = DirectionalLight{glm::normalize(dvec3(-0.75, 0.6, 0.4)), vec3(1)};
+  shot.background = vec3(0.42f, 0.55f, 0.72f);
+  shot.ambient = vec3(0.18f, 0.20f, 0.23f);
   return shot;
 }
 

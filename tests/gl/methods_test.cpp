@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/render/aov.h"
 #include "core/image/compare.h"
 #include "frame_test.h"
 #include "gl_test.h"
@@ -12,9 +13,9 @@ namespace {
 constexpr const char* kScene = "scene:spheres,triangles=2000,reflective=20";
 constexpr uint32_t kAllAovs = kAovId | kAovShadow | kAovMarked | kAovTraced | kAovDepth | kAovNormal;
 
-const Image& aov(const Frame& frame, const std::string& name) {
-  for (const AovImage& image : frame.aovs)
-    if (image.name == name) return image.image;
+Image aov(const Frame& frame, const std::string& name) {
+  for (const ImageLayer& layer : frame.aovs)
+    if (layer.name == name) return display_image(layer, frame.picture.width_px, frame.picture.height_px);
   throw std::runtime_error("no AOV " + name);
 }
 
@@ -40,8 +41,9 @@ struct Difference {
 Difference difference_at_same_ids(const Frame& a, const Frame& b) {
   double sum = 0;
   Difference d{};
+  const Image ids_a = aov(a, "id"), ids_b = aov(b, "id");
   for (size_t i = 0; i < a.picture.pixel_count(); ++i) {
-    if (!same_pixel(aov(a, "id"), aov(b, "id"), i)) {
+    if (!same_pixel(ids_a, ids_b, i)) {
       ++d.left_out;
       continue;
     }
@@ -104,7 +106,7 @@ TEST_F(Methods, BlurDiffersFromRaysInFewPixels) {
   size_t wrong = 0, pixels = 0;
   for (size_t i = 0; i < blur.size(); ++i) {
     EXPECT_TRUE(aov(blur[i], "id").data == aov(rays[i], "id").data);
-    const Image &a = aov(blur[i], "shadow"), &b = aov(rays[i], "shadow"), &marked = aov(blur[i], "marked");
+    const Image a = aov(blur[i], "shadow"), b = aov(rays[i], "shadow"), marked = aov(blur[i], "marked");
     for (size_t p = 0; p < a.pixel_count(); ++p) {
       const bool differs = !same_pixel(a, b, p);
       wrong += differs;
@@ -134,8 +136,8 @@ TEST_F(Methods, WiderKernelsMarkMoreAndErrLess) {
       << "a kernel of one pixel marks nothing";
   const auto wrong_pixels = [&](const Frame& frame) {
     size_t wrong = 0;
-    for (size_t p = 0; p < frame.picture.pixel_count(); ++p)
-      wrong += !same_pixel(aov(frame, "shadow"), aov(rays[0], "shadow"), p);
+    const Image guessed = aov(frame, "shadow"), exact = aov(rays[0], "shadow");
+    for (size_t p = 0; p < frame.picture.pixel_count(); ++p) wrong += !same_pixel(guessed, exact, p);
     return wrong;
   };
   int64_t marked = 0;

@@ -40,7 +40,8 @@ TEST_P(Procedural, MeetsTheCountFromEndToEnd) {
 
 TEST_P(Procedural, ComponentsDoNotTouch) {
   const Scene made = scene().make({60'000, {}});
-  const std::vector<uint32_t> same = weld_positions(made.positions);
+  ThreadPool pool(1);
+  const std::vector<uint32_t> same = weld_positions(made.positions, pool);
   for (uint32_t i = 0; i < same.size(); ++i) ASSERT_EQ(same[i], i) << "two vertices in one place";
 }
 
@@ -79,11 +80,11 @@ TEST_P(Procedural, SameOptionsSameBytesAndReadsBack) {
   const std::filesystem::path path = folder.path / "a.obj", json = folder.path / "a.json";
   const Scene made = scene().make({40'000, {}});
   write_obj(made, path);
-  write_scene_json(json, "a.obj", made, scene().shot());
+  write_scene_json(json, "a.obj", scene().shot());
   const std::string bytes = file_contents(path), json_bytes = file_contents(json);
   const Scene again = scene().make({40'000, {}});
   write_obj(again, path);
-  write_scene_json(json, "a.obj", again, scene().shot());
+  write_scene_json(json, "a.obj", scene().shot());
   EXPECT_EQ(file_contents(path), bytes);
   EXPECT_EQ(file_contents(json), json_bytes);
   for (const char* part :
