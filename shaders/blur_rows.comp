@@ -18,7 +18,7 @@ void main() {
   for (int x = max(pixel.x - radius_px, 0); x <= last; ++x) {
     uint value = texelFetch(mask, ivec2(x, pixel.y), 0).r;
     lit += value & HRT_MASK_LIT;
-    receivers += value == HRT_MASK_NO_RECEIVER ? 0 : 1;
+    receivers += value == HRT_MASK_NO_RECEIVER ? 0u : 1u;
   }
   imageStore(row_sums, pixel, uvec4(lit, receivers, 0, 0));
 }

@@ -30,7 +30,7 @@ vec3 shaded(ivec2 pixel, uint id) {
   vec3 weights = clamped_barycentrics(t.p0, t.p1, t.p2, dir);
   vec3 side = geometric_normal(t, dir);
   float lit = dot(side, to_light) <= 0.0 ? 0.0 : 1.0;  // seen from its unlit side: in shadow
-  if (use_mask != 0 && (texelFetch(mask, pixel, 0).r & HRT_MASK_LIT) == 0) lit = 0.0;
+  if (use_mask != 0 && (texelFetch(mask, pixel, 0).r & HRT_MASK_LIT) == 0u) lit = 0.0;
 
   int material = int(texelFetch(triangle_materials, int(id)).r) * HRT_MATERIAL_TEXELS;
   vec4 kd_ns = texelFetch(materials, material);

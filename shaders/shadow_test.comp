@@ -28,7 +28,7 @@ uint shadow_mask(ivec2 pixel) {
   ivec2 size = textureSize(shadow_map, 0);
   ivec2 texel = clamp(ivec2(in_map.xy * vec2(size)), ivec2(0), size - 1);
   float nearest = texelFetch(shadow_map, texel, 0).r;
-  return nearest < in_map.z - texel_depth * (slope + 0.2) ? 0 : HRT_MASK_LIT;
+  return nearest < in_map.z - texel_depth * (slope + 0.2) ? 0u : HRT_MASK_LIT;
 }
 
 void main() {

@@ -10,9 +10,9 @@
 
 // Shadow mask, one byte a pixel. Pass 2 writes LIT or nothing (shadow), or NO_RECEIVER; pass 3 adds MARKED
 // where the blurred mask is neither fully lit nor fully dark.
-#define HRT_MASK_LIT 1
-#define HRT_MASK_MARKED 2
-#define HRT_MASK_NO_RECEIVER 4
+#define HRT_MASK_LIT 1u
+#define HRT_MASK_MARKED 2u
+#define HRT_MASK_NO_RECEIVER 4u
 
 // Texture units.
 #define HRT_UNIT_IDS 0
