@@ -155,6 +155,7 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   if (slot.traced_done.valid()) std::exchange(slot.traced_done, {}).get();
 
   const int width = plan.view.width_px, height = plan.view.height_px;
+  const Stopwatch uploading;  // the driver copies on this thread before the GPU sees anything
   if (plan.trace()) slot.timer(PassId::upload).begin();
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (plan.trace_shadows)
@@ -163,6 +164,7 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   if (plan.trace_scattered)
     gl_.TextureSubImage2D(slot.traced.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, slot.traced_pixels.data());
   if (plan.trace()) slot.timer(PassId::upload).end();
+  const double copying_ms = plan.trace() ? uploading.elapsed_ms() : 0;
 
   slot.timer(PassId::shade).begin();
   const gl::Texture* mask = plan.trace_shadows ? &slot.lit : plan.shadow_map ? &slot.mask : nullptr;
@@ -187,6 +189,7 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   const double unpacking_ms = unpacking.elapsed_ms();
   for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
   frame.timings[PassId::trace] = slot.trace_ms;
+  frame.timings[PassId::upload] += copying_ms;
   frame.timings[PassId::download] += unpacking_ms;
 
   AovSource source{slot.read_ids(), slot.read_mask(), {}, {}};
