@@ -7,6 +7,9 @@ out=docs/images
 
 render() { "$hybridrt" render "$@" --quiet --timings /dev/null; }
 
+render scene:chess,triangles=600000 --fov 33 --size 1280x720 --reflection-depth 8 -o "$out/chess.png"
+render scene:thin --size 800x600 --shadows rays -o "$out/thin.png"
+
 # The whole picture, and what each pass made of it (the paper's figure 3).
 render scenes/still_life.obj --size 800x600 -o "$out/still_life.png" --reflection-depth 8
 render scenes/still_life.obj --size 320x240 -o "$out/passes.png" --aov id,shadow,marked,traced
