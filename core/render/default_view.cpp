@@ -14,7 +14,7 @@ namespace {
 constexpr int kWidth_px = 32, kHeight_px = 24;
 constexpr double kMostlyBackFaces = 0.6;  // more than this share: a room seen from outside
 constexpr double kHardlyAnyBackFaces = 0.05;
-constexpr double kMoreInside = 1.2;           // that many times the triangles seen from outside: a building
+constexpr double kMoreInside = 1.3;           // that many times the triangles seen from outside: a building
 constexpr double kClosed = 0.95;              // share of rays from inside that meet a wall
 constexpr int kAzimuths = 16;
 constexpr double kSway_rad = 14 * kPi / 180, kLookInElevation_rad = 4 * kPi / 180;
@@ -156,9 +156,11 @@ Orbit stand_at(const Scene& scene, const RayCaster<float>& caster, const vec3& s
   return orbit;
 }
 
-Seen look_from_all_around(const Scene& scene, const RayCaster<float>& caster, const Orbit& around, double aspect) {
+/// From above and from below in turn.
+Seen look_from_all_around(const Scene& scene, const RayCaster<float>& caster, Orbit around, double aspect) {
   Seen all;
   for (int i = 0; i < kAzimuths; ++i) {
+    around.height = -around.height;
     const Camera camera = camera_on_orbit(around, static_cast<double>(i) / kAzimuths);
     Seen seen = look_from(scene, caster, camera, aspect);
     all.hits += seen.hits;
