@@ -185,7 +185,7 @@ TEST(Ply, HeadersThatLieCostNoMemory) {
 }
 
 TEST(Off, ReadsKindsCommentsAndColours) {
-  for (const string text :
+  for (const string& text :
        {"OFF\n# four corners\n4 1 0\n\n" + kFour + "4 0 1 2 3\n", "OFF 4 1 4\n" + kFour + "4 0 1 2 3"}) {
     const Loaded loaded = load("a.off", text);
     EXPECT_TRUE(loaded.warnings.empty());
