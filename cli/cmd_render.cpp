@@ -53,6 +53,8 @@ struct OutputPaths {
 };
 
 OutputPaths prepare_output(const OutputOptions& options, const RenderOptions& render, const RenderJob& job) {
+  if (options.json && options.timings == "-")
+    throw error(ErrorKind::usage, "--timings - and --json both want standard output; give --timings a file");
   OutputPaths paths;
   const std::string pattern = options.pattern.empty() ? "out/" + scene_name(render.scene) + ".####.png" : options.pattern;
   paths.pattern = parse_output_pattern(pattern, job.frames.count() > 1);

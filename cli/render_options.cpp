@@ -227,7 +227,8 @@ LightMotion make_light(const RenderOptions& o, const RenderJob& job, UpAxis up_a
   if (!o.light.empty()) {
     const dvec3 toward = parse_vector("--light", o.light);
     if (toward == dvec3(0)) throw error(ErrorKind::usage, "--light {}: it must not be zero", o.light);
-    motion.light.toward = glm::normalize(y_up_from_files(up_axis, toward));
+    const double largest = std::max({std::abs(toward.x), std::abs(toward.y), std::abs(toward.z)});
+    motion.light.toward = glm::normalize(y_up_from_files(up_axis, toward / largest));  // any length: squares overflow
   } else if (keyed) {
     motion.light.toward = *keyed;
     motion.mode = LightMode::with_path;
@@ -366,8 +367,8 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings)
   job.settings.ambient = scene.ambient.value_or(shot.ambient.value_or(job.settings.ambient));
   job.settings.background = scene.background.value_or(shot.background.value_or(job.settings.background));
   job.frames = parse_frame_spec(o.frames);
-  if (o.threads != 0) require_range("--threads", o.threads, 1, 1024);
-  job.threads = o.threads ? o.threads : allowed_processors();
+  if (o.threads) require_range("--threads", *o.threads, 1, 1024);
+  job.threads = o.threads.value_or(allowed_processors());
   job.accel = o.accel;
   job.gl = {o.gl, o.device, o.require_hardware, 0};
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);

@@ -28,7 +28,7 @@ struct RenderOptions {
   Method method = Method::hybrid;
   std::string shadows;  ///< empty: the method's default
   int blur_kernel = 5, shadow_map = 2048, reflection_depth = 4;
-  int threads = 0;  ///< 0: all allowed processors
+  std::optional<int> threads;  ///< default: all allowed processors
   Accel accel = Accel::embree;
   int frames_in_flight = 2;
   gl::Binding gl = gl::Binding::any;

@@ -1,9 +1,9 @@
 """Signals, closed pipes and endless sequences: what was finished is whole, nothing is torn."""
 
+import json
 import os
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
@@ -43,9 +43,10 @@ class StoppingTest(CliTestCase):
                 self.assertEqual(output, "")
                 self.expect_whole()
                 self.assertIn("run.json", self.files())
+                for name in self.files():
+                    os.remove(self.path(name))
 
     def test_stopped_json_ends_with_an_event(self):
-        import json
         process = self.start_long("--json")
         self.wait_for_frames(process, 2)
         process.send_signal(signal.SIGINT)
