@@ -46,7 +46,7 @@ class SceneTest(CliTestCase):
     def test_same_arguments_same_bytes(self):
         for folder in ("a", "b"):
             self.succeed("scene", "spheres", "-o", folder + "/s.obj", "--triangles", "3000", "--reflective", "20")
-        self.assertEqual(self.files("a"), ["s.mtl", "s.obj"])
+        self.assertEqual(self.files("a"), ["s.json", "s.mtl", "s.obj"])
         for name in ("s.obj", "s.mtl"):
             self.assertEqual(self.read("a/" + name), self.read("b/" + name))
         self.succeed("scene", "spheres", "-o", "c/s.obj", "--triangles", "3000", "--reflective", "60")

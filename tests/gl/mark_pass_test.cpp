@@ -70,8 +70,8 @@ TEST_F(MarkPass, RandomMasksInAllSizesAndKernels) {
 TEST_F(MarkPass, SinglePixelsAndHoles) {
   Random random(6);
   for (int kernel : {3, 5, 15, 31})
-    for (const uint8_t ground : Mask{0, HRT_MASK_LIT})
-      for (const uint8_t spot : Mask{0, HRT_MASK_LIT, HRT_MASK_NO_RECEIVER}) {
+    for (const uint8_t ground : {0u, HRT_MASK_LIT})
+      for (const uint8_t spot : {0u, HRT_MASK_LIT, HRT_MASK_NO_RECEIVER}) {
         Mask mask(79 * 61, ground);
         for (int i = 0; i < 3; ++i) mask[random.below(79 * 61)] = spot;
         mask.front() = mask.back() = spot;
