@@ -7,7 +7,7 @@
 
 namespace hybridrt {
 
-/// Embree 3 behind the same interface: robust intersections, high build quality. `threads` >= 1 is how many
+/// Embree 3 behind the same interface: robust intersections, high build quality, coherent rays in packets of 16. `threads` >= 1 is how many
 /// the build may use. Zero-area triangles are left out, as in the kd-tree; of several hits at the same t any
 /// may be reported. Not quite watertight: of rays aimed exactly at a vertex about one in 600 slips through
 /// (Embree 3.13.5). Needs t_min >= 0 and coordinates below 1e18. The scene is copied: it need not outlive the
