@@ -34,7 +34,7 @@ void throw_on_error(RTCDevice device, const char* doing) {
 
 class EmbreeCaster final : public RayCaster<float> {
  public:
-  EmbreeCaster(const Scene& scene, int threads) {
+  EmbreeCaster(const Scene& scene, int threads, EmbreeRays going) : going_(going) {
     HRT_CHECK(threads >= 1);
     device_.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
     if (!device_) throw_on_error(nullptr, "starting");
@@ -47,11 +47,11 @@ class EmbreeCaster final : public RayCaster<float> {
     throw_on_error(device_.get(), "building its tree");
   }
 
-  void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits, Coherence coherence) const override {
+  void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const override {
     HRT_CHECK_EQ(rays.size(), hits.size());
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    if (coherence == Coherence::coherent) return closest_hits_in_packets(rays, hits, context);
+    if (going_ == EmbreeRays::packets) return closest_hits_in_packets(rays, hits, context);
     for (size_t i = 0; i < rays.size(); ++i) {
       hits[i] = {};
       RTCRayHit query;
@@ -63,11 +63,11 @@ class EmbreeCaster final : public RayCaster<float> {
     }
   }
 
-  void any_hits(std::span<const Ray<float>> rays, std::span<uint8_t> occluded, Coherence coherence) const override {
+  void any_hits(std::span<const Ray<float>> rays, std::span<uint8_t> occluded) const override {
     HRT_CHECK_EQ(rays.size(), occluded.size());
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    if (coherence == Coherence::coherent) return any_hits_in_packets(rays, occluded, context);
+    if (going_ == EmbreeRays::packets) return any_hits_in_packets(rays, occluded, context);
     for (size_t i = 0; i < rays.size(); ++i) {
       occluded[i] = 0;
       RTCRay query;
@@ -169,6 +169,7 @@ class EmbreeCaster final : public RayCaster<float> {
     return triangle_of_primitive_.empty() ? primitive : triangle_of_primitive_[primitive];
   }
 
+  const EmbreeRays going_;
   Owned<RTCDevice> device_;
   Owned<RTCScene> scene_;
   std::vector<uint32_t> triangle_of_primitive_;  ///< empty: the same
@@ -176,8 +177,8 @@ class EmbreeCaster final : public RayCaster<float> {
 
 }  // namespace
 
-std::unique_ptr<RayCaster<float>> make_embree_caster(const Scene& scene, int threads) {
-  return std::make_unique<EmbreeCaster>(scene, threads);
+std::unique_ptr<RayCaster<float>> make_embree_caster(const Scene& scene, int threads, EmbreeRays going) {
+  return std::make_unique<EmbreeCaster>(scene, threads, going);
 }
 
 }  // namespace hybridrt

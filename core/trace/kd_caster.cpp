@@ -12,13 +12,13 @@ class ScalarKdCaster final : public RayCaster<Real> {
  public:
   explicit ScalarKdCaster(const KdTree& tree) : tree_(tree) {}
 
-  void closest_hits(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits, Coherence) const override {
+  void closest_hits(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits) const override {
     HRT_CHECK_EQ(rays.size(), hits.size());
     for (size_t i = 0; i < rays.size(); ++i)
       hits[i] = HWY_NAMESPACE::traverse<false, HWY_NAMESPACE::ScalarLeaf<Real>>(tree_, rays[i]);
   }
 
-  void any_hits(std::span<const Ray<Real>> rays, std::span<uint8_t> occluded, Coherence) const override {
+  void any_hits(std::span<const Ray<Real>> rays, std::span<uint8_t> occluded) const override {
     HRT_CHECK_EQ(rays.size(), occluded.size());
     for (size_t i = 0; i < rays.size(); ++i)
       occluded[i] = HWY_NAMESPACE::traverse<true, HWY_NAMESPACE::ScalarLeaf<Real>>(tree_, rays[i]).found();
@@ -32,12 +32,12 @@ class SimdKdCaster final : public RayCaster<float> {
  public:
   explicit SimdKdCaster(const KdTree& tree) : tree_(tree) {}
 
-  void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits, Coherence) const override {
+  void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const override {
     HRT_CHECK_EQ(rays.size(), hits.size());
     closest_hits_simd(tree_, rays, hits);
   }
 
-  void any_hits(std::span<const Ray<float>> rays, std::span<uint8_t> occluded, Coherence) const override {
+  void any_hits(std::span<const Ray<float>> rays, std::span<uint8_t> occluded) const override {
     HRT_CHECK_EQ(rays.size(), occluded.size());
     any_hits_simd(tree_, rays, occluded);
   }

@@ -45,11 +45,11 @@ struct LightCell {
   uint32_t first_other;  ///< of its triangles in `others`
 };
 
-/// What a light sees of a scene; only data, see build_light_buffer. Refers to the scene, which must outlive
-/// it.
+/// What a light sees of a scene; only data, see build_light_buffer. Refers to scene and sides, which must
+/// outlive it.
 struct LightBuffer {
   const Scene* scene = nullptr;
-  std::vector<int8_t> sides;  ///< of each triangle, see triangle_sides
+  std::span<const int8_t> sides;  ///< of each triangle, see triangle_sides
   dvec3 toward{0, 1, 0};      ///< unit, to the light
   dvec3 x_axis{1, 0, 0}, y_axis{0, 0, 1};
   dvec3 center{0};  ///< scene space; taken off first, so that digits last far from the origin

@@ -238,7 +238,7 @@ LightBuffer build_light_buffer(const Scene& scene, std::span<const int8_t> sides
   HRT_CHECK_EQ(sides.size(), scene.triangle_count());
   LightBuffer buffer;
   buffer.scene = &scene;
-  buffer.sides.assign(sides.begin(), sides.end());
+  buffer.sides = sides;
   buffer.toward = toward;
   const dvec3 other = std::abs(toward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
   buffer.x_axis = glm::normalize(glm::cross(other, toward));
@@ -249,7 +249,7 @@ LightBuffer build_light_buffer(const Scene& scene, std::span<const int8_t> sides
 }
 
 size_t memory_bytes(const LightBuffer& buffer) {
-  return buffer.sides.size() + buffer.cells.size() * sizeof(LightCell) +
+  return buffer.cells.size() * sizeof(LightCell) +
          buffer.entries.size() * sizeof(LightEntry) + buffer.others.size() * sizeof(uint32_t);
 }
 

@@ -7,9 +7,6 @@
 
 namespace hybridrt {
 
-/// Whether neighbours in a batch go much the same way, so that going together pays.
-enum class Coherence { scattered, coherent };
-
 /// Answers batches of ray queries against a fixed scene. One virtual call a batch, none a ray.
 /// Implementations are immutable after construction and safe to call from many threads at once.
 /// The scene given to a factory must outlive the caster.
@@ -20,12 +17,10 @@ class RayCaster {
 
   /// Nearest hit of each ray with t in (t_min, t_max), or a Hit that is not found(). Triangles are
   /// two-sided. hits.size() == rays.size().
-  virtual void closest_hits(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits,
-                            Coherence coherence = Coherence::scattered) const = 0;
+  virtual void closest_hits(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits) const = 0;
 
   /// 1 where anything is hit with t in (t_min, t_max), else 0. occluded.size() == rays.size().
-  virtual void any_hits(std::span<const Ray<Real>> rays, std::span<uint8_t> occluded,
-                        Coherence coherence = Coherence::scattered) const = 0;
+  virtual void any_hits(std::span<const Ray<Real>> rays, std::span<uint8_t> occluded) const = 0;
 };
 
 }  // namespace hybridrt

@@ -10,12 +10,15 @@ namespace {
 
 constexpr int kWidth_px = 1024, kHeight_px = 768, kTile_px = 32, kMarkRadius_px = 2;
 
+/// Tile by tile, and in a tile by blocks of 4 x 4, which are the packets of 16.
 template <typename Body>
 void for_each_pixel_in_tiles(const Body& body) {
   for (int tile_y = 0; tile_y < kHeight_px; tile_y += kTile_px)
     for (int tile_x = 0; tile_x < kWidth_px; tile_x += kTile_px)
-      for (int y = tile_y; y < tile_y + kTile_px; ++y)
-        for (int x = tile_x; x < tile_x + kTile_px; ++x) body(x, y);
+      for (int block_y = tile_y; block_y < tile_y + kTile_px; block_y += 4)
+        for (int block_x = tile_x; block_x < tile_x + kTile_px; block_x += 4)
+          for (int y = block_y; y < block_y + 4; ++y)
+            for (int x = block_x; x < block_x + 4; ++x) body(x, y);
 }
 
 size_t index_of(int x, int y) { return static_cast<size_t>(y) * kWidth_px + x; }
@@ -43,7 +46,7 @@ RaySets make_ray_sets(const BenchScene& bench, const RayCaster<float>& caster, c
     sets.primary.push_back({vec3(bench.view.eye), vec3(glm::normalize(bench.view.pixel_dir(x, y)))});
   });
   std::vector<Hit<float>> hits(sets.primary.size());
-  caster.closest_hits(sets.primary, hits, Coherence::coherent);
+  caster.closest_hits(sets.primary, hits);
 
   Material glass;
   glass.transmit = vec3(1);

@@ -19,7 +19,7 @@ struct Workload {
   ThreadPool pool;
   BenchScene bench;
   KdTree tree;
-  std::unique_ptr<RayCaster<float>> embree, kd_scalar, kd_simd;
+  std::unique_ptr<RayCaster<float>> embree, embree_packets, kd_scalar, kd_simd;
   std::unique_ptr<RayCaster<double>> reference;
   std::vector<int8_t> sides;
   LightBuffer buffer;
@@ -27,7 +27,8 @@ struct Workload {
 
   Workload(const std::string& scene, int threads) : pool(threads), bench(load_bench_scene(scene, pool)) {
     tree = build_kd_tree(bench.scene, pool);
-    embree = make_embree_caster(bench.scene, threads);
+    embree = make_embree_caster(bench.scene, threads, EmbreeRays::single);
+    embree_packets = make_embree_caster(bench.scene, threads);
     kd_scalar = make_kd_caster(tree, LeafKernel::scalar);
     kd_simd = make_kd_caster(tree, LeafKernel::simd);
     reference = make_reference_caster(tree);
@@ -59,12 +60,11 @@ size_t wrong_answers(const Workload& work, const std::vector<ShadowQuery>& queri
   return wrong;
 }
 
-void add_closest(const std::string& name, const RayCaster<float>& caster, const std::vector<Ray<float>>& rays,
-                 Coherence coherence = Coherence::scattered) {
+void add_closest(const std::string& name, const RayCaster<float>& caster, const std::vector<Ray<float>>& rays) {
   if (rays.empty()) return;
-  add(name, [&, coherence](benchmark::State& state) {
+  add(name, [&](benchmark::State& state) {
     std::vector<Hit<float>> hits(rays.size());
-    for (auto _ : state) caster.closest_hits(rays, hits, coherence);
+    for (auto _ : state) caster.closest_hits(rays, hits);
     count_rays(state, rays.size());
   });
 }
@@ -72,18 +72,18 @@ void add_closest(const std::string& name, const RayCaster<float>& caster, const 
 void add_shadow(const Workload& work, const std::string& set, const std::vector<ShadowQuery>& queries) {
   if (queries.empty()) return;
   const auto rays = std::make_shared<std::vector<Ray<float>>>(as_rays(queries, work.bench.toward));
-  const auto add_caster = [&](const std::string& name, const RayCaster<float>& caster, Coherence coherence) {
-    add(set + "/" + name, [&, rays, coherence](benchmark::State& state) {
+  const auto add_caster = [&](const std::string& name, const RayCaster<float>& caster) {
+    add(set + "/" + name, [&, rays](benchmark::State& state) {
       std::vector<uint8_t> occluded(rays->size());
-      for (auto _ : state) caster.any_hits(*rays, occluded, coherence);
+      for (auto _ : state) caster.any_hits(*rays, occluded);
       count_rays(state, rays->size());
       state.counters["wrong"] = static_cast<double>(wrong_answers(work, queries, occluded));
     });
   };
-  add_caster("embree", *work.embree, Coherence::scattered);
-  add_caster("embree_packets", *work.embree, Coherence::coherent);
-  add_caster("kd_scalar", *work.kd_scalar, Coherence::scattered);
-  add_caster("kd_simd", *work.kd_simd, Coherence::scattered);
+  add_caster("embree", *work.embree);
+  add_caster("embree_packets", *work.embree_packets);
+  add_caster("kd_scalar", *work.kd_scalar);
+  add_caster("kd_simd", *work.kd_simd);
   add(set + "/light_buffer", [&](benchmark::State& state) {
     std::vector<uint8_t> occluded(queries.size());
     for (auto _ : state) shadow_answers(work.buffer, queries, occluded);
@@ -148,7 +148,7 @@ int main(int argc, char** argv) {
       {"refracted", &work.sets.refracted}};
   for (const auto& [name, rays] : sets) {
     add_closest(name + "/embree", *work.embree, *rays);
-    add_closest(name + "/embree_packets", *work.embree, *rays, Coherence::coherent);
+    add_closest(name + "/embree_packets", *work.embree_packets, *rays);
     add_closest(name + "/kd_scalar", *work.kd_scalar, *rays);
     add_closest(name + "/kd_simd", *work.kd_simd, *rays);
   }

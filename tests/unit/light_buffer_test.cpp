@@ -24,7 +24,8 @@ std::vector<dvec3> light_directions(uint32_t seed) {
 class LightBufferTest : public testing::TestWithParam<NamedScene> {
  protected:
   LightBuffer build(const Scene& scene, const dvec3& toward) {
-    return build_light_buffer(scene, triangle_sides(build_topology(scene, pool_)), toward, pool_);
+    sides_ = triangle_sides(build_topology(scene, pool_));
+    return build_light_buffer(scene, sides_, toward, pool_);
   }
 
   /// Queries from points of the triangles, corners and edges among them, on the side that faces the light.
@@ -91,6 +92,7 @@ class LightBufferTest : public testing::TestWithParam<NamedScene> {
   }
 
   ThreadPool pool_{2};
+  std::vector<int8_t> sides_;  ///< of the last buffer
 };
 
 TEST_P(LightBufferTest, AnswersAsBruteForceInDouble) {
@@ -185,7 +187,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, LightBufferOnProcedural, testing::Values("chess
 TEST(LightBuffer, KnowsWhoIsInsideAClosedBody) {
   const Scene ball = closed_sphere(32, 16);
   ThreadPool pool(1);
-  const LightBuffer buffer = build_light_buffer(ball, triangle_sides(build_topology(ball, pool)),
+  const std::vector<int8_t> sides = triangle_sides(build_topology(ball, pool));
+  const LightBuffer buffer =
+      build_light_buffer(ball, sides,
                                                 glm::normalize(dvec3(0.1, 1, 0.2)), pool);
   EXPECT_TRUE(may_be_enclosed(buffer, {0.1, 0.2, 0.3}));
   EXPECT_FALSE(may_be_enclosed(buffer, {0.1, -1.5, 0.1})) << "below it";
