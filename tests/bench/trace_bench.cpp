@@ -1,7 +1,8 @@
-// Build time and rays a second of everything that answers rays, on the rays that a frame of 1024x768 fires.
+// Build time and rays a second of everything that answers rays, on the rays that a frame of 1024x768 fires, and whole
+// frames beside a plain Embree program's.
 //   trace_bench --scene=scene:chess,triangles=500000 [--threads=N] [--benchmark_filter=...]
-// Single-threaded: a ray's cost does not depend on its neighbours' threads. `wrong` counts answers that
-// differ from a double-precision reference asked for the very same origin.
+// Rates are of one thread, by its processor time, unless the name ends in all_threads. `wrong` counts answers that
+// differ from a double-precision reference asked for the very same origin. scripts/trace_results.py makes the tables.
 
 #include <benchmark/benchmark.h>
 #include <cstdlib>
@@ -10,6 +11,8 @@
 
 #include "core/trace/embree_caster.h"
 #include "core/trace/kd_caster.h"
+#include "core/trace/trace_pass.h"
+#include "embree_frame.h"
 #include "ray_sets.h"
 
 namespace hybridrt {
@@ -40,8 +43,8 @@ struct Workload {
 
 using Benchmark = std::function<void(benchmark::State&)>;
 
-void add(const std::string& name, const Benchmark& body) {
-  benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond)->UseRealTime();
+benchmark::internal::Benchmark* add(const std::string& name, const Benchmark& body) {
+  return benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
 }
 
 void count_rays(benchmark::State& state, size_t rays) {
@@ -92,16 +95,60 @@ void add_shadow(const Workload& work, const std::string& set, const std::vector<
   });
 }
 
+/// All threads at once, as a frame asks: a tile's worth of rays at a time.
+void add_all_threads(Workload& work) {
+  constexpr size_t kRaysATime = 1024;
+  const auto& queries = work.sets.shadow_all;
+  const auto rays = std::make_shared<std::vector<Ray<float>>>(as_rays(queries, work.bench.toward));
+  const auto occluded = std::make_shared<std::vector<uint8_t>>(queries.size());
+  const auto add_set = [&](const std::string& name, const std::function<void(size_t, size_t)>& answer) {
+    add(name + "/all_threads", [&work, &queries, answer](benchmark::State& state) {
+      for (auto _ : state) parallel_for(work.pool, queries.size(), kRaysATime, answer);
+      count_rays(state, queries.size());
+    })->UseRealTime();
+  };
+  add_set("shadow_all/embree_packets", [&work, rays, occluded](size_t begin, size_t end) {
+    work.embree_packets->any_hits(std::span(*rays).subspan(begin, end - begin), {&(*occluded)[begin], end - begin});
+  });
+  add_set("shadow_all/light_buffer", [&work, &queries, occluded](size_t begin, size_t end) {
+    shadow_answers(work.buffer, std::span(queries).subspan(begin, end - begin), {&(*occluded)[begin], end - begin});
+  });
+}
+
+/// Whole frames: ours by --method raytrace, by the same with traced shadow rays, and the plain Embree program's.
+void add_frames(Workload& work, int threads) {
+  const View& view = work.bench.view;
+  const size_t pixels = static_cast<size_t>(view.width_px) * view.height_px;
+  const auto picture = std::make_shared<std::vector<vec4>>(pixels);
+  const auto ids = std::make_shared<std::vector<uint32_t>>(pixels);
+  const auto lit = std::make_shared<std::vector<uint8_t>>(pixels);
+  const TraceJob plain{work.bench.scene, view, {work.bench.toward, vec3(1)}};
+  const auto add_ours = [&](const std::string& name, const RayCaster<float>& caster, const LightBuffer* buffer) {
+    add("frame/" + name, [&work, &caster, buffer, plain, picture, ids, lit](benchmark::State& state) {
+      TraceJob job = plain;
+      job.light_buffer = buffer;
+      for (auto _ : state) trace_frame(job, caster, work.pool, TracedFrame<float>{*picture, *ids, *lit});
+    })->UseRealTime();
+  };
+  add_ours("raytrace", *work.embree_packets, &work.buffer);
+  add_ours("raytrace_traced_shadows", *work.embree_packets, nullptr);
+  add_ours("raytrace_kd_tree", *work.kd_simd, &work.buffer);
+  const auto yardstick = std::make_shared<EmbreeFrame>(work.bench.scene, threads);
+  add("frame/plain_embree", [&work, plain, yardstick, picture](benchmark::State& state) {
+    for (auto _ : state) yardstick->render(plain, work.pool, *picture);
+  })->UseRealTime();
+}
+
 void add_builds(Workload& work, int threads) {
   const double triangles = static_cast<double>(work.bench.scene.triangle_count());
   add("build/kd_tree", [&, triangles](benchmark::State& state) {
     KdTree tree;
     for (auto _ : state) tree = build_kd_tree(work.bench.scene, work.pool);
     state.counters["bytes/triangle"] = static_cast<double>(memory_bytes(tree)) / triangles;
-  });
+  })->UseRealTime();
   add("build/embree", [&, threads](benchmark::State& state) {
     for (auto _ : state) make_embree_caster(work.bench.scene, threads);
-  });
+  })->UseRealTime();
   add("build/light_buffer", [&, triangles](benchmark::State& state) {
     LightBuffer buffer;
     for (auto _ : state)
@@ -109,7 +156,7 @@ void add_builds(Workload& work, int threads) {
     state.counters["bytes/triangle"] = static_cast<double>(memory_bytes(buffer)) / triangles;
     state.counters["entries"] = static_cast<double>(buffer.entries.size());
     state.counters["cells"] = static_cast<double>(buffer.cells.size() - 1);
-  });
+  })->UseRealTime();
 }
 
 }  // namespace
@@ -141,6 +188,8 @@ int main(int argc, char** argv) {
   add_builds(work, threads);
   add_shadow(work, "shadow_all", work.sets.shadow_all);
   add_shadow(work, "shadow_marked", work.sets.shadow_marked);
+  add_all_threads(work);
+  add_frames(work, threads);
   const std::pair<std::string, const std::vector<Ray<float>>*> sets[] = {
       {"primary", &work.sets.primary},
       {"reflected_flat", &work.sets.reflected_flat},
