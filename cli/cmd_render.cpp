@@ -143,6 +143,13 @@ class SheetCollector {
   std::vector<Image> cells_;
 };
 
+/// Files may hold anything; what is made on the spot is known to be manifold.
+void warn_of_topology(const RenderJob& job, Warnings& warnings) {
+  if (job.scene.files.empty() && !refracts(job.scene)) return;
+  ThreadPool pool(job.threads);
+  topology_warnings(job.scene, build_topology(job.scene, pool), warnings);
+}
+
 ExitCode render(const RenderOptions& command_line, const OutputOptions& output) {
   catch_signals();
   Warnings warnings;
@@ -150,10 +157,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   const Stopwatch loading;
   const RenderOptions options = with_scene_settings(command_line);
   const RenderJob job = make_render_job(options, warnings);
-  if (refracts(job.scene)) {  // else it is not worth the time: inspect tells
-    ThreadPool pool(job.threads);
-    topology_warnings(job.scene, build_topology(job.scene, pool), warnings);
-  }
+  warn_of_topology(job, warnings);
   totals.load_ms = loading.elapsed_ms();
   const OutputPaths paths = prepare_output(output, options, job);
 
