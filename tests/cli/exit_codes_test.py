@@ -50,6 +50,7 @@ class CommandLineTest(CliTestCase):
         self.refuse("--light", "0,0,0", says="--light")
         self.refuse("--eye", "1,1,1", "--up", "0,0,0", says="--up")
         self.refuse("--target", "1,1,1", says="--eye")
+        self.refuse("--camera", "c.json", "--eye", "1,1,1", says="--camera and --eye")
         self.refuse("--eye", "1,1,1", "--target", "1,1,1", says=("--eye", "--target", "same point"))
 
     def test_up_along_the_view_is_a_warning(self):
