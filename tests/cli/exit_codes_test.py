@@ -159,8 +159,11 @@ class SystemTest(CliTestCase):
         self.write("file", "keep me")
         self.refuse("-o", "file/x.png", says="file")
         self.refuse("-o", "x.png", "--timings", "file/t.csv", says="file/t.csv")
-        self.refuse("-o", "x.png", "--contact-sheet", "file/s.png", says="file")
+        self.refuse("-o", "x.png", "--contact-sheet", "file/s.png", says="file/s.png")
+        os.mkdir(self.path("folder.png"))
+        self.refuse("-o", "x.png", "--contact-sheet", "folder.png", says="folder.png")
         self.assertEqual(self.read("file"), b"keep me")
+        self.assertEqual(self.files(), ["file"], "refused before rendering")
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
     def test_full_disk(self):
