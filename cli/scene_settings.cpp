@@ -1,3 +1,4 @@
+#include "cli/parse_message.h"
 #include "cli/render_options.h"
 #include "core/base/error.h"
 #include "core/scene/scene_file.h"
@@ -26,7 +27,11 @@ RenderOptions with_scene_settings(const RenderOptions& options) {
     }
     arguments.push_back(into.scene);
     std::reverse(arguments.begin(), arguments.end());
-    parser.parse(arguments);
+    try {
+      parser.parse(arguments);
+    } catch (const CLI::ParseError& problem) {
+      throw Error(ErrorKind::usage, parse_message(parser, problem));
+    }
   };
   std::vector<std::pair<std::string, std::string>> all;
   for (const auto& [name, value] : scene.settings) all.emplace_back("--" + name, value);
@@ -36,8 +41,6 @@ RenderOptions with_scene_settings(const RenderOptions& options) {
     parsed(all, alone);
     make_settings(alone);
     parse_frame_spec(alone.frames);
-  } catch (const CLI::ParseError& problem) {
-    throw error(ErrorKind::input, "{}: settings: {}", options.scene, problem.what());
   } catch (const Error& problem) {
     throw error(ErrorKind::input, "{}: settings: {}", options.scene, problem.what());
   }

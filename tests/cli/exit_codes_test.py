@@ -81,6 +81,15 @@ class CommandLineTest(CliTestCase):
         self.fail_with(2, "doctor", "--jsno", says="--json")
         self.fail_with(2, "scene", "sphere", "-o", "x.obj", says=("sphere", "spheres"))
 
+    def test_options_given_twice_or_without_a_value(self):
+        self.refuse("--size", "8x8", "--size=9x9", says="--size is given 2 times (8x8, 9x9); give it once")
+        self.refuse("--method", "raster", "--method", "raster", "--method", "hybrid", says="--method is given 3 times")
+        self.refuse("-o", "a.png", "--output", "b.png", says="--output is given 2 times (a.png, b.png); give it once")
+        self.refuse("--size", says="--size has no value; write --size WxH")
+        self.refuse("--threads", "many", says="--threads many: that cannot be read; write --threads N")
+        self.fail_with(2, "golden", "check", "--list", "a", "--list", "b", says="--list is given 2 times (a, b)")
+        self.succeed("render", SCENE, *SMALL, "-q", "-q", "-o", "flags may be repeated.png")
+
     def test_formats_are_refused_before_rendering(self):
         for name in ("x.xyz", "x.null", "noextension", "x."):
             self.refuse("-o", name, says=(name, ".png"))
