@@ -73,7 +73,8 @@ class FaultsTest(CameraCase):
 
     def test_orbits(self):
         good = {"target": [0, 0, 0], "radius": 3}
-        for orbit, says in (({**good, "radius": 0}, "radius: must be more than 0"), ({"radius": 3}, "'target' is missing"),
+        for orbit, says in (({**good, "radius": 0}, "radius: must be more than 0"),
+                            ({"radius": 3}, "'target' is missing"),
                             ({**good, "fov_y_deg": 180}, "fov_y_deg: 180"), ({**good, "height": 1e31}, "height")):
             with self.subTest(says):
                 self.write("orbit.json", json.dumps({"orbit": orbit}))

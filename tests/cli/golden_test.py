@@ -105,8 +105,9 @@ class GoldenTest(CliTestCase):
         self.assertIn("1 of 1", self.check(0, "small").stdout)
 
     def test_bad_options_of_a_case(self):
-        for options, says in ((["--frames", "1-3"], "3 frames; say which one"), (["--no-such-option"], "--no-such-option"),
-                              (["--size", "8x8", "--size", "9x9"], "--size is given 2 times"), (["--fov", "0"], "--fov 0"),
+        for options, says in ((["--frames", "1-3"], "3 frames; say which one"),
+                              (["--no-such-option"], "--no-such-option"), (["--fov", "0"], "--fov 0"),
+                              (["--size", "8x8", "--size", "9x9"], "--size is given 2 times"),
                               (["--threads", "x"], "--threads x"), (["--method", "magic"], "--method magic"),
                               (["--size"], "--size has no value"), (["--help"], "--help"),
                               (["--camera", "gone.json"], "gone.json cannot be opened")):

@@ -114,7 +114,8 @@ class RepairedTest(SceneCase):
                  "6 texture coordinate indices lead nowhere and were left out (first at line 9)"),
                 (["1//1 2//0 3//-5 4//4294967297", *FACES[1:]], "",
                  "4 normal indices lead nowhere and were left out (first at line 9)"),
-                ([*FACES[:5], FACES[5] + "\nnonsense 1 2 3\ncurv 0 1"], "", "2 lines of an unknown kind were left out")):
+                ([*FACES[:5], FACES[5] + "\nnonsense 1 2 3\ncurv 0 1"], "",
+                 "2 lines of an unknown kind were left out")):
             with self.subTest(says):
                 self.write("odd.obj", obj(faces=faces) + extra)
                 self.assertEqual(self.warn("odd.obj", "odd.obj: " + says), self.house)
