@@ -1,5 +1,6 @@
 #include "core/base/file_claims.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -81,6 +82,47 @@ TEST_F(FileClaimsTest, TheDeadClaimNothing) {
     FileClaims claims;
     EXPECT_EQ(claims.claim(folder_.path / "a.png"), Answer::ours);
   }
+  EXPECT_TRUE(folder_.names().empty());
+}
+
+/// Runs `body(i)` in `count` processes at once; whether all of them returned true.
+template <typename Body>
+bool in_processes(int count, const Body& body) {
+  for (int i = 0; i < count; ++i)
+    if (::fork() == 0) ::_exit(body(i) ? 0 : 1);
+  bool all = true;
+  for (int status = 0; ::wait(&status) > 0;) all = all && status == 0;
+  return all;
+}
+
+// The lock file is removed and made again all the time.
+TEST_F(FileClaimsTest, DisjointFramesAreNeverRefused) {
+  EXPECT_TRUE(in_processes(8, [&](int process) {
+    for (int i = 0; i < 300; ++i) {
+      FileClaims claims;
+      if (claims.claim(folder_.path, "x", 10 * process, 10 * process + 9) != Answer::ours) return false;
+    }
+    return true;
+  }));
+  EXPECT_TRUE(folder_.names().empty());
+}
+
+TEST_F(FileClaimsTest, NoTwoHoldTheSameFrames) {
+  EXPECT_TRUE(in_processes(8, [&](int process) {
+    int held = 0;
+    for (int i = 0; held < 50; ++i) {
+      FileClaims claims;
+      const int part = (i + process) % 3;
+      if (claims.claim(folder_.path, "x", 10 * part, 10 * part + 9) != Answer::ours) continue;
+      const std::filesystem::path mine = folder_.path / std::to_string(part);
+      const int descriptor = ::open(mine.c_str(), O_CREAT | O_EXCL | O_WRONLY, 0600);
+      if (descriptor < 0) return false;  // somebody is in it
+      ::close(descriptor);
+      ::unlink(mine.c_str());
+      ++held;
+    }
+    return true;
+  }));
   EXPECT_TRUE(folder_.names().empty());
 }
 
