@@ -93,7 +93,7 @@ class NumbersTest(MtlCase):
 
     def test_cut_anywhere(self):
         text = RED + "Ns 10\nillum 2\n"
-        for size in range(0, len(text), 3):
+        for size in range(0, len(text), 5):
             self.write("cut.mtl", text[:size])
             done = self.run_binary("inspect", self.panels(["cut.mtl"]), "--size", "8x8", "--threads", "1")
             self.assertIn(done.returncode, (0, 3), (size, done.stderr))

@@ -72,7 +72,7 @@ class RefusedTest(SceneCase):
                 self.refuse(self.write("bad.obj", text), says)
 
     def test_cut_anywhere(self):
-        for size in range(0, len(HOUSE), 5):
+        for size in range(0, len(HOUSE), 7):
             self.write("cut.obj", HOUSE[:size])
             done = self.run_binary("inspect", "cut.obj", "--size", "8x8", "--threads", "1")
             self.assertIn(done.returncode, (0, 3), (size, done.stderr))
