@@ -14,6 +14,9 @@ constexpr std::array<std::string_view, 18> kIgnored = {
     "g",  "o",      "s",      "p",        "l",        "vp",         "lod",       "mg", "bevel",
     "vw", "usemap", "maplib", "c_interp", "d_interp", "shadow_obj", "trace_obj", "t",  "end"};
 
+// What to do about a line that cannot be meant.
+constexpr const char* kMend = "mend that line or export the mesh again";
+
 const char* skip_blanks(const char* p, const char* end) {
   while (p != end && is_blank(*p)) ++p;
   return p;
@@ -122,8 +125,8 @@ void ObjFilter::check_vertex(char* text, const char* end) const {
       throw error(ErrorKind::input, "{}:{}: vertex {} ends before its {} coordinate; is the file cut short?",
                   path().string(), line(), vertices_ + 1, axis);
     if (stop == nullptr)
-      throw error(ErrorKind::input, "{}:{}: vertex {}: its {} coordinate {} is not a usable number",
-                  path().string(), line(), vertices_ + 1, axis, in_quotes({p, size_t(word_end(p, end) - p)}));
+      throw error(ErrorKind::input, "{}:{}: vertex {}: its {} coordinate {} is not a usable number; {}",
+                  path().string(), line(), vertices_ + 1, axis, in_quotes({p, size_t(word_end(p, end) - p)}), kMend);
     p = stop;
   }
 }
@@ -160,8 +163,8 @@ void ObjFilter::check_corner(char*& p, const char* end, size_t corner) {
   const auto count = static_cast<int64_t>(vertices_);
   if (index == 0 || index < -count || index > std::numeric_limits<int32_t>::max())
     throw error(ErrorKind::input,
-                "{}:{}: face {}, corner {}: there is no vertex {} ({} vertices so far, counted from 1)",
-                path().string(), line(), faces_, corner, in_quotes({start, size_t(p - start)}), vertices_);
+                "{}:{}: face {}, corner {}: there is no vertex {} ({} so far, counted from 1); {}",
+                path().string(), line(), faces_, corner, in_quotes({start, size_t(p - start)}), vertices_, kMend);
   if (index > count && index > farthest_.index)
     farthest_ = {static_cast<int32_t>(index), static_cast<uint32_t>(line())};
 
@@ -195,15 +198,15 @@ void ObjFilter::check_attribute(char* digits, const char* digits_end, int64_t in
 void ObjFilter::fail_corner(const char* p, const char* end, size_t corner) const {
   const std::string word = in_quotes({p, size_t(word_end(p, end) - p)});
   if (p != end && *p == '/')
-    throw error(ErrorKind::input, "{}:{}: face {}, corner {}: {} has no vertex index", path().string(),
-                line(), faces_, corner, word);
-  throw error(ErrorKind::input, "{}:{}: face {}, corner {}: {} is not of the form v, v/vt, v//vn or v/vt/vn",
-              path().string(), line(), faces_, corner, word);
+    throw error(ErrorKind::input, "{}:{}: face {}, corner {}: {} has no vertex index; {}", path().string(),
+                line(), faces_, corner, word, kMend);
+  throw error(ErrorKind::input, "{}:{}: face {}, corner {}: {} is not of the form v, v/vt, v//vn or v/vt/vn; {}",
+              path().string(), line(), faces_, corner, word, kMend);
 }
 
 void ObjFilter::finish(Warnings& warnings) {
   if (farthest_.index > static_cast<int64_t>(vertices_))
-    throw error(ErrorKind::input, "{}:{}: a face uses vertex {}, but the file has {} vertices",
+    throw error(ErrorKind::input, "{}:{}: a face uses vertex {}, but the file has {} vertices; is it cut short?",
                 path().string(), farthest_.line, farthest_.index, vertices_);
   for (const Ahead& ahead : texcoords_ahead_)
     if (ahead.index > static_cast<int64_t>(texcoords_)) bad_texcoords_.add(ahead.line);

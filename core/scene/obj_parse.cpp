@@ -48,7 +48,7 @@ void add_vertex(void* user, double x, double y, double z, double) {
   const dvec3 p(x, y, z);
   for (int axis = 0; axis < 3; ++axis)
     if (!(std::abs(p[axis]) < kLargestCoordinate))
-      throw error(ErrorKind::input, "{}:{}: vertex {}: its {} coordinate is not below 1e30",
+      throw error(ErrorKind::input, "{}:{}: vertex {}: its {} coordinate is not below 1e30; scale the mesh",
                   b.filter.path().string(), b.filter.line(), b.data.positions.size() + 1, "xyz"[axis]);
   b.data.positions.push_back(p);
 }

@@ -36,7 +36,8 @@ TextLines::TextLines(const std::filesystem::path& path, LineJoin join)
   if (std::filesystem::is_directory(path, ignored))
     throw error(ErrorKind::input, "{} is a directory; name the file in it", path.string());
   file_.reset(std::fopen(path.c_str(), "rb"));
-  if (!file_) throw error(ErrorKind::input, "{} cannot be opened: {}", path.string(), std::strerror(errno));
+  if (!file_) throw error(ErrorKind::input, "{} cannot be opened: {}; check its name and permissions",
+                          path.string(), std::strerror(errno));
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // we read whole blocks
 }
 
@@ -122,7 +123,7 @@ void TextLines::check_new_bytes(size_t from) {
   if (void* nul = std::memchr(begin, '\0', end - begin)) {
     const size_t line = 1 + parts_ + std::count(buffer_.data() + begin_, static_cast<char*>(nul), '\n');
     throw error(ErrorKind::input,
-                "{}:{}: a NUL byte: this is a binary file or UTF-16; OBJ and MTL are UTF-8 text",
+                "{}:{}: a NUL byte: this is a binary file or UTF-16; save it as UTF-8 text",
                 path_.string(), line);
   }
 }
