@@ -24,9 +24,8 @@ ExitCode inspect(const RenderOptions& options, bool as_json) {
   const SceneFacts facts = make_scene_facts(job.scene);
   const int first = *FrameCursor(job.frames).next();
   found.plan = make_frame_plan(job.scene, facts, frame_request(job, first), job.settings);
-  const bool light_moves = job.light.mode != LightMode::fixed;
-  found.steps = explain_plan(found.plan, facts, job.settings, job.accel, light_moves);
-  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel);
+  found.steps = explain_plan(found.plan, facts, job.settings, job.accel, light_moves(job.light, job.motion));
+  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel, light_moves(job.light, job.motion));
 
   using Handler = nlohmann::ordered_json::error_handler_t;
   fmt::print("{}", as_json ? inspection_json(found).dump(2, ' ', false, Handler::replace) + "\n"

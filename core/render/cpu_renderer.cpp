@@ -1,6 +1,7 @@
 #include "core/render/cpu_renderer.h"
 
 #include "core/render/aov.h"
+#include "core/render/kept_light_buffer.h"
 #include "core/trace/trace_pass.h"
 
 namespace hybridrt {
@@ -15,14 +16,19 @@ void render_on_cpu(const Scene& scene, const RenderSettings& settings, const Ray
   std::vector<uint32_t> ids(pixels);
   std::vector<uint8_t> lit(pixels);
 
+  KeptLightBuffer light_buffer(scene, pool);
   Stopwatch since_last_frame;
   while (const std::optional<FrameRequest> request = next()) {
     const FramePlan plan = make_frame_plan(scene, facts, *request, settings);
-    const TraceJob job{scene, plan.view, plan.light, plan.shadows, settings.reflection_depth,
+    TraceJob job{scene, plan.view, plan.light, plan.shadows, settings.reflection_depth,
                        settings.ambient, settings.background};
-    const Stopwatch tracing;
     Frame frame;
     frame.number = plan.number;
+    if (plan.light_buffer) {
+      job.light_buffer = &light_buffer.toward(plan.light.toward, frame.timings[PassId::shadow_map]);
+      job.eye_enclosed = may_be_enclosed(*job.light_buffer, plan.view.eye);
+    }
+    const Stopwatch tracing;
     frame.stats = trace_frame(job, caster, pool, TracedFrame<Real>{picture, ids, lit});
     frame.timings[PassId::trace] = tracing.elapsed_ms();
 

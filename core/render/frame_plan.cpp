@@ -47,6 +47,11 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.trace_shadows = hybrid && (plan.mark || shadows == ShadowMode::rays);
   plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
 
+  // A light buffer is worth building for a few rays only if the next frames can use it too.
+  const bool asks_light = plan.trace() || settings.method == Method::raytrace;
+  plan.light_buffer =
+      plan.shadows && asks_light && (shadows == ShadowMode::rays || !request.light_moves);
+
   const uint32_t from_ids = kAovId | kAovDepth | kAovNormal;
   plan.read_ids = plan.trace() || (settings.aovs & from_ids);
   plan.read_mask = plan.mark || (plan.shadow_map && (settings.aovs & (kAovShadow | kAovMarked)));

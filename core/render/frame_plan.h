@@ -12,6 +12,7 @@ struct FrameRequest {
   int number = 1;
   Camera camera;
   DirectionalLight light;
+  bool light_moves = false;  ///< from frame to frame
 };
 
 /// Facts about a scene that plans need; made once.
@@ -34,6 +35,7 @@ struct FramePlan {
   bool mark = false;             ///< pass 3
   bool trace_shadows = false;    ///< pass 4 decides which pixels are lit
   bool trace_scattered = false;  ///< pass 4 follows reflected and refracted rays
+  bool light_buffer = false;     ///< answers all shadow rays; else they are traced
   bool read_ids = false, read_mask = false;  ///< readback
 
   bool trace() const { return trace_shadows || trace_scattered; }

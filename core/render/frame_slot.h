@@ -31,7 +31,7 @@ struct FrameSlot {
   std::vector<uint8_t> lit_pixels;
   std::vector<vec4> traced_pixels;
   TraceStats stats;
-  double trace_ms = 0;
+  double trace_ms = 0, light_buffer_ms = 0;
   std::shared_future<void> traced_done;  ///< pass 4, when it runs beside the GL thread
 
   gl::TimerQuery& timer(PassId pass) { return timers[static_cast<size_t>(pass)]; }

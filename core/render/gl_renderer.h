@@ -7,6 +7,7 @@
 #include "core/passes/shade.h"
 #include "core/passes/shadow_map.h"
 #include "core/render/frame_slot.h"
+#include "core/render/kept_light_buffer.h"
 #include "core/trace/ray_caster.h"
 
 #include <deque>
@@ -14,15 +15,15 @@
 
 namespace hybridrt {
 
-/// True if some frame of the scene may need rays, so that a caster is worth building.
-bool may_trace(const SceneFacts& facts, const RenderSettings& settings);
+/// True if some frame of the scene may need rays that no light buffer answers, so that a caster must be built.
+bool needs_caster(const SceneFacts& facts, const RenderSettings& settings, bool light_moves);
 
 /// The paper's five passes over a sequence. With one frame in flight, pass follows pass; with more, pass 4
 /// of a frame runs on the thread pool while the GL thread draws its neighbours (section 3.5, figure 4). The
 /// pictures are the same. Lives and renders on the thread that the context is current on.
 class GlRenderer {
  public:
-  /// `caster` may be null if !may_trace(). Everything handed in must outlive the renderer.
+  /// `caster` may be null if !needs_caster(). Everything handed in must outlive the renderer.
   /// Throws Error(device) when a size is over the device's limits.
   GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene,
              const RenderSettings& settings, const RayCaster<float>* caster, ThreadPool& pool);
@@ -60,6 +61,7 @@ class GlRenderer {
   std::optional<LightFrame> light_frame_;
   gl::Texture shadow_map_;
   gl::Framebuffer shadow_map_target_;
+  KeptLightBuffer light_buffer_;
 
   std::deque<FrameSlot> slots_;
 };

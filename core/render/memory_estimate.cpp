@@ -8,6 +8,7 @@ namespace {
 
 // Measured on balls, a cathedral, a car and a scan of 75,000 to a million triangles: 77 to 115 and 58 to 62.
 constexpr size_t kEmbreeBytesATriangle = 90, kKdTreeBytesATriangle = 62;
+constexpr size_t kLightBufferBytesATriangle = 130;
 
 template <typename T>
 size_t bytes_of(const std::vector<T>& values) {
@@ -34,7 +35,7 @@ size_t frame_bytes(const RenderSettings& s) {
 }  // namespace
 
 MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const RenderSettings& s,
-                               Accel accel) {
+                               Accel accel, bool light_moves) {
   MemoryEstimate estimate;
   estimate.scene = geometry_bytes(scene) + bytes_of(scene.materials);
   if (s.method == Method::hybrid || s.method == Method::raster) {
@@ -42,8 +43,13 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
     estimate.gpu_frames = frame_bytes(s);
   }
   const bool kd_tree = accel == Accel::kdtree || s.method == Method::reference;
-  if (may_trace(facts, s))
+  if (needs_caster(facts, s, light_moves))
     estimate.accelerator = scene.triangle_count() * (kd_tree ? kKdTreeBytesATriangle : kEmbreeBytesATriangle);
+  const bool scatters = s.reflection_depth > 0 && !facts.scattering_bounds.empty();
+  const bool asks_light = s.method == Method::raytrace || s.shadows == ShadowMode::blur ||
+                          s.shadows == ShadowMode::rays || scatters;
+  if (s.method != Method::reference && s.method != Method::raster && s.shadows != ShadowMode::none && asks_light)
+    estimate.accelerator += scene.triangle_count() * kLightBufferBytesATriangle;
   return estimate;
 }
 

@@ -34,4 +34,11 @@ DirectionalLight light_at(const LightMotion& light, const CameraMotion& camera, 
   return now;
 }
 
+bool light_moves(const LightMotion& light, const CameraMotion& camera) {
+  if (camera.sequence.first == camera.sequence.last) return false;
+  if (light.mode == LightMode::with_camera) return !std::holds_alternative<Camera>(camera.course);
+  const auto* path = std::get_if<CameraPath>(&camera.course);
+  return light.mode == LightMode::with_path && path && light_on_path(*path, camera.sequence.first).has_value();
+}
+
 }  // namespace hybridrt

@@ -26,4 +26,7 @@ struct LightMotion {
 };
 DirectionalLight light_at(const LightMotion& light, const CameraMotion& camera, int frame);
 
+/// Whether two frames of the sequence may have different lights.
+bool light_moves(const LightMotion& light, const CameraMotion& camera);
+
 }  // namespace hybridrt

@@ -54,11 +54,17 @@ StepNote scattered_note(const FramePlan& plan, const SceneFacts& facts, const Re
           fmt::format("up to {} generations of reflected and refracted rays", s.reflection_depth)};
 }
 
-StepNote accelerator_note(const SceneFacts& facts, const RenderSettings& s, Accel accel) {
+StepNote accelerator_note(const SceneFacts& facts, const RenderSettings& s, Accel accel, bool light_moves) {
   constexpr std::string_view kStep = "ray accelerator";
-  if (!may_trace(facts, s)) return left_out(kStep, "no frame can need a ray");
+  if (!needs_caster(facts, s, light_moves)) return left_out(kStep, "no frame can need its rays");
   const std::string_view name = s.method == Method::reference ? "kdtree, double precision" : name_of(accel);
   return {kStep, Runs::once, fmt::format("{}, before the first frame", name)};
+}
+
+StepNote light_buffer_note(const FramePlan& plan, bool light_moves) {
+  constexpr std::string_view kStep = "pass 1 light buffer";
+  if (!plan.light_buffer) return left_out(kStep, "no shadow ray asks it");
+  return {kStep, light_moves ? Runs::each_frame : Runs::once, "answers all shadow rays"};
 }
 
 }  // namespace
@@ -79,15 +85,17 @@ std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& fact
                                    Accel accel, bool light_moves) {
   if (s.method == Method::raytrace || s.method == Method::reference) {
     const std::string method = fmt::format("--method {}", name_of(s.method));
-    return {accelerator_note(facts, s, accel),
-            left_out("passes 1 to 3", method + " works without GL"),
+    return {accelerator_note(facts, s, accel, light_moves),
+            light_buffer_note(plan, light_moves),
+            left_out("other passes 1 to 3", method + " works without GL"),
             {"primary rays", Runs::each_frame, pixels(s)},
             shadow_rays_note(plan, s),
             scattered_note(plan, facts, s),
             left_out("pass 5 shading", "done ray by ray")};
   }
-  return {accelerator_note(facts, s, accel),
+  return {accelerator_note(facts, s, accel, light_moves),
           shadow_map_note(plan, s, light_moves),
+          light_buffer_note(plan, light_moves),
           {"pass 2 triangle ids", Runs::each_frame,
            pixels(s) + (plan.shadow_map ? ", with the shadow test" : "")},
           mark_note(plan, s),

@@ -5,7 +5,8 @@
 
 namespace hybridrt {
 FrameRequest frame_request(const RenderJob& job, int frame) {
-  return {frame, camera_at(job.motion, frame), light_at(job.light, job.motion, frame)};
+  return {frame, camera_at(job.motion, frame), light_at(job.light, job.motion, frame),
+          light_moves(job.light, job.motion)};
 }
 
 RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& starting,
@@ -52,7 +53,7 @@ RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& s
     request.threads = job.threads;
     const std::unique_ptr<gl::Context> context = gl::open_context(request);
     facts.gl = context->info();
-    const bool rays_needed = may_trace(make_scene_facts(job.scene), job.settings);
+    const bool rays_needed = needs_caster(make_scene_facts(job.scene), job.settings, light_moves(job.light, job.motion));
     GlRenderer renderer(*context, job.shaders, job.scene, job.settings, rays_needed ? &caster() : nullptr, pool);
     ready();
     renderer.render(next, deliver);

@@ -34,7 +34,7 @@ void throw_on_error(RTCDevice device, const char* doing) {
 
 class EmbreeCaster final : public RayCaster<float> {
  public:
-  EmbreeCaster(const Scene& scene, int threads) {
+  EmbreeCaster(const Scene& scene, int threads, EmbreeRays going) : going_(going) {
     HRT_CHECK(threads >= 1);
     device_.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
     if (!device_) throw_on_error(nullptr, "starting");
@@ -51,6 +51,7 @@ class EmbreeCaster final : public RayCaster<float> {
     HRT_CHECK_EQ(rays.size(), hits.size());
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    if (going_ == EmbreeRays::packets) return closest_hits_in_packets(rays, hits, context);
     for (size_t i = 0; i < rays.size(); ++i) {
       hits[i] = {};
       RTCRayHit query;
@@ -66,6 +67,7 @@ class EmbreeCaster final : public RayCaster<float> {
     HRT_CHECK_EQ(rays.size(), occluded.size());
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    if (going_ == EmbreeRays::packets) return any_hits_in_packets(rays, occluded, context);
     for (size_t i = 0; i < rays.size(); ++i) {
       occluded[i] = 0;
       RTCRay query;
@@ -76,6 +78,54 @@ class EmbreeCaster final : public RayCaster<float> {
   }
 
  private:
+  static constexpr size_t kPacket = 16;
+
+  void closest_hits_in_packets(std::span<const Ray<float>> rays, std::span<Hit<float>> hits,
+                               RTCIntersectContext& context) const {
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    for (size_t first = 0; first < rays.size(); first += kPacket) {
+      alignas(64) int valid[kPacket];
+      RTCRayHit16 packet;
+      const size_t count = fill_packet(rays.subspan(first), valid, packet.ray);
+      std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
+      std::fill_n(packet.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
+      rtcIntersect16(valid, scene_.get(), &context, &packet);
+      for (size_t i = 0; i < count; ++i)
+        hits[first + i] = valid[i] && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID
+                              ? Hit<float>{packet.ray.tfar[i], packet.hit.u[i], packet.hit.v[i],
+                                           scene_triangle(packet.hit.primID[i])}
+                              : Hit<float>{};
+    }
+  }
+
+  void any_hits_in_packets(std::span<const Ray<float>> rays, std::span<uint8_t> occluded,
+                           RTCIntersectContext& context) const {
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    for (size_t first = 0; first < rays.size(); first += kPacket) {
+      alignas(64) int valid[kPacket];
+      RTCRay16 packet;
+      const size_t count = fill_packet(rays.subspan(first), valid, packet);
+      rtcOccluded16(valid, scene_.get(), &context, &packet);
+      for (size_t i = 0; i < count; ++i) occluded[first + i] = valid[i] && packet.tfar[i] < 0;
+    }
+  }
+
+  /// The first rays, as many as fit; returns how many.
+  static size_t fill_packet(std::span<const Ray<float>> rays, int* valid, RTCRay16& packet) {
+    const size_t count = std::min(rays.size(), kPacket);
+    std::fill_n(valid, kPacket, 0);
+    for (size_t i = 0; i < count; ++i) {
+      RTCRay ray;
+      if (!fill(rays[i], ray)) continue;
+      valid[i] = -1;
+      packet.org_x[i] = ray.org_x, packet.org_y[i] = ray.org_y, packet.org_z[i] = ray.org_z;
+      packet.dir_x[i] = ray.dir_x, packet.dir_y[i] = ray.dir_y, packet.dir_z[i] = ray.dir_z;
+      packet.tnear[i] = ray.tnear, packet.tfar[i] = ray.tfar;
+      packet.time[i] = ray.time, packet.mask[i] = ray.mask, packet.id[i] = ray.id, packet.flags[i] = ray.flags;
+    }
+    return count;
+  }
+
   void attach_triangles(const Scene& scene) {
     std::vector<uvec3> kept;
     for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
@@ -119,6 +169,7 @@ class EmbreeCaster final : public RayCaster<float> {
     return triangle_of_primitive_.empty() ? primitive : triangle_of_primitive_[primitive];
   }
 
+  const EmbreeRays going_;
   Owned<RTCDevice> device_;
   Owned<RTCScene> scene_;
   std::vector<uint32_t> triangle_of_primitive_;  ///< empty: the same
@@ -126,8 +177,8 @@ class EmbreeCaster final : public RayCaster<float> {
 
 }  // namespace
 
-std::unique_ptr<RayCaster<float>> make_embree_caster(const Scene& scene, int threads) {
-  return std::make_unique<EmbreeCaster>(scene, threads);
+std::unique_ptr<RayCaster<float>> make_embree_caster(const Scene& scene, int threads, EmbreeRays going) {
+  return std::make_unique<EmbreeCaster>(scene, threads, going);
 }
 
 }  // namespace hybridrt

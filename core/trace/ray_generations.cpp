@@ -1,6 +1,7 @@
 #include "core/trace/ray_generations.h"
 
 #include "core/base/check.h"
+#include "core/trace/primary_surface.h"
 
 #include <time.h>
 
@@ -36,7 +37,7 @@ void TraceStats::add(const TraceStats& other) {
 }
 
 template <typename Real>
-RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>& caster)
+RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>* caster)
     : job_(job), caster_(caster), to_light_(job.light.toward) {}
 
 template <typename Real>
@@ -49,7 +50,12 @@ template <typename Real>
 void RayGenerations<Real>::add_primary(uint32_t pixel, int x, int y) {
   Ray<Real> ray;
   ray.origin = Vec3<Real>(job_.view.eye);
-  ray.dir = Vec3<Real>(glm::normalize(job_.view.pixel_dir(x, y)));
+  const dvec3 dir = glm::normalize(job_.view.pixel_dir(x, y));
+  ray.dir = Vec3<Real>(dir);
+  if (job_.light_buffer) {
+    primary_dirs_.resize(std::max<size_t>(primary_dirs_.size(), pixel + 1));
+    primary_dirs_[pixel] = dir;
+  }
   push(ray, {Vec3<Real>(1), pixel, 0});
 }
 
@@ -72,11 +78,11 @@ void RayGenerations<Real>::scatter_on(const Tag& from, const Surface<Real>& surf
   const Scattered<Real> out = scatter(material, surface, dir);
   const Vec3<Real> reflected = from.weight * out.reflected_weight, refracted = from.weight * out.refracted_weight;
   if (largest_part(reflected) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.reflected_dir), {reflected, from.pixel, from.generation + 1});
+    push(leave(surface, out.reflected_dir), {reflected, from.pixel, from.generation + 1, from.refracted});
     ++stats.reflection_rays;
   }
   if (largest_part(refracted) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.refracted_dir, /*toward=*/false), {refracted, from.pixel, from.generation + 1});
+    push(leave(surface, out.refracted_dir, /*toward=*/false), {refracted, from.pixel, from.generation + 1, true});
     ++stats.refraction_rays;
   }
 }
@@ -90,23 +96,42 @@ void RayGenerations<Real>::take_batch() {
   tags_.resize(first);
 }
 
+template <typename Real>
+ShadowQuery RayGenerations<Real>::shadow_query(size_t i) const {
+  const Tag& tag = batch_tags_[i];
+  ShadowQuery query{dvec3(leave(surfaces_[i], to_light_).origin), hits_[i].triangle, surfaces_[i].from_outside};
+  if (tag.generation == 0)
+    if (const auto exact = primary_shadow_query(job_.scene, hits_[i].triangle, job_.view.eye,
+                                                primary_dirs_[tag.pixel], job_.light.toward))
+      query = *exact;
+  query.anywhere = job_.eye_enclosed || tag.refracted;
+  return query;
+}
+
 /// Fills lit_: which hits of the batch the light reaches.
 template <typename Real>
 void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
   shadow_rays_.clear();
+  shadow_queries_.clear();
   shadow_owner_.clear();
   lit_.assign(hits_.size(), 0);
   for (size_t i = 0; i < hits_.size(); ++i) {
     if (!hits_[i].found() || glm::dot(surfaces_[i].side, to_light_) <= 0) continue;  // unlit side: no ray
     lit_[i] = 1;
     if (!job_.shadows) continue;
-    shadow_rays_.push_back(leave(surfaces_[i], to_light_));
+    if (job_.light_buffer)
+      shadow_queries_.push_back(shadow_query(i));
+    else
+      shadow_rays_.push_back(leave(surfaces_[i], to_light_));
     shadow_owner_.push_back(static_cast<uint32_t>(i));
     stats.primary_shadow_rays += batch_tags_[i].generation == 0;
   }
-  stats.shadow_rays += static_cast<int64_t>(shadow_rays_.size());
-  occluded_.resize(shadow_rays_.size());
-  caster_.any_hits(shadow_rays_, occluded_);
+  stats.shadow_rays += static_cast<int64_t>(shadow_owner_.size());
+  occluded_.resize(shadow_owner_.size());
+  if (job_.light_buffer)
+    shadow_answers(*job_.light_buffer, shadow_queries_, occluded_);
+  else
+    caster_->any_hits(shadow_rays_, occluded_);
   for (size_t i = 0; i < occluded_.size(); ++i)
     if (occluded_[i]) lit_[shadow_owner_[i]] = 0;
 }
@@ -121,7 +146,7 @@ void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHi
     const bool primary = batch_tags_.front().generation == 0;
     hits_.resize(batch_rays_.size());
     surfaces_.resize(batch_rays_.size());
-    caster_.closest_hits(batch_rays_, hits_);
+    caster_->closest_hits(batch_rays_, hits_);
     for (size_t i = 0; i < hits_.size(); ++i)
       if (hits_[i].found())
         surfaces_[i] = surface_at(scene, hits_[i].triangle, hits_[i].u, hits_[i].v, batch_rays_[i].dir);

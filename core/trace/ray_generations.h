@@ -20,7 +20,8 @@ inline constexpr float kSmallestWeight = 1.0f / 1024;
 template <typename Real>
 class RayGenerations {
  public:
-  RayGenerations(const TraceJob& job, const RayCaster<Real>& caster);
+  /// `caster` may be null if no ray is ever added.
+  RayGenerations(const TraceJob& job, const RayCaster<Real>* caster);
 
   /// What a step found out about the primary generation; see shade_primary_hits.
   struct PrimaryHit {
@@ -42,23 +43,28 @@ class RayGenerations {
   struct Tag {
     Vec3<Real> weight;
     uint32_t pixel;
-    int generation;  ///< 0: primary
+    int generation;          ///< 0: primary
+    bool refracted = false;  ///< it may travel inside a closed body
   };
 
   void take_batch();
   void ask_shadow_rays(TraceStats& stats);
+  ShadowQuery shadow_query(size_t in_batch) const;
   void scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& dir, TraceStats& stats);
   void push(const Ray<Real>& ray, const Tag& tag);
 
   const TraceJob& job_;
-  const RayCaster<Real>& caster_;
+  const RayCaster<Real>* caster_;
   const Vec3<Real> to_light_;
 
   std::vector<Ray<Real>> rays_;  ///< the queue, newest last
   std::vector<Tag> tags_;
+  std::vector<dvec3> primary_dirs_;  ///< of each pixel of the tile, as primary_shadow_query takes them
 
   // The batch in work.
-  std::vector<Ray<Real>> batch_rays_, shadow_rays_;
+  std::vector<Ray<Real>> batch_rays_;
+  std::vector<Ray<Real>> shadow_rays_;       ///< or, with a light buffer,
+  std::vector<ShadowQuery> shadow_queries_;
   std::vector<Tag> batch_tags_;
   std::vector<Hit<Real>> hits_;
   std::vector<Surface<Real>> surfaces_;

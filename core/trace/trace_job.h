@@ -2,6 +2,7 @@
 
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
+#include "core/trace/light_buffer.h"
 
 #include <cstdint>
 
@@ -16,6 +17,9 @@ struct TraceJob {
   int reflection_depth = 4;  ///< generations after the primary one
   vec3 ambient{0.15f};       ///< times Kd
   vec3 background{0.7f};     ///< what rays see that meet nothing
+
+  const LightBuffer* light_buffer = nullptr;  ///< of `light`; null: shadow rays are traced like any other
+  bool eye_enclosed = false;                  ///< see may_be_enclosed
 };
 
 /// What pass 4 did. Rays are counted when they are fired.

@@ -1,5 +1,6 @@
 #include "core/trace/trace_pass.h"
 
+#include "core/trace/primary_surface.h"
 #include "core/trace/ray_generations.h"
 #include "shaders/shared.h"
 
@@ -14,6 +15,17 @@ struct Tile {
   int x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1)
   uint32_t width() const { return static_cast<uint32_t>(x1 - x0); }
   uint32_t pixel_count() const { return width() * static_cast<uint32_t>(y1 - y0); }
+
+  /// Calls body(x, y, place in the tile, row by row) in blocks of 4 x 4: rays that go together as a packet.
+  template <typename Body>
+  void for_each_pixel_in_blocks(const Body& body) const {
+    constexpr int kBlock_px = 4;
+    for (int block_y = y0; block_y < y1; block_y += kBlock_px)
+      for (int block_x = x0; block_x < x1; block_x += kBlock_px)
+        for (int y = block_y; y < std::min(block_y + kBlock_px, y1); ++y)
+          for (int x = block_x; x < std::min(block_x + kBlock_px, x1); ++x)
+            body(x, y, static_cast<uint32_t>(y - y0) * width() + static_cast<uint32_t>(x - x0));
+  }
 };
 
 /// Calls body(tile, stats) for every tile of the picture; returns the sum of the stats. Counts do not
@@ -36,25 +48,20 @@ TraceStats for_each_tile(const View& view, ThreadPool& pool, const Body& body) {
 
 /// The surface that a pixel sees, found again from its triangle in double precision.
 Surface<float> primary_surface(const TraceJob& job, uint32_t triangle, const dvec3& dir) {
-  const dvec3& eye = job.view.eye;
-  const dvec3 weights = clamped_barycentrics(dvec3(job.scene.vertex(triangle, 0)) - eye,
-                                             dvec3(job.scene.vertex(triangle, 1)) - eye,
-                                             dvec3(job.scene.vertex(triangle, 2)) - eye, dir);
+  const dvec3 weights = seen_barycentrics(job.scene, triangle, job.view.eye, dir);
   return surface_at(job.scene, triangle, static_cast<float>(weights.y), static_cast<float>(weights.z), vec3(dir));
 }
 
 /// One tile of pass 4 and its scratch memory.
 class TileTrace {
  public:
-  TileTrace(const TraceJob& job, const RayCaster<float>& caster, const TracePixels& pixels)
+  TileTrace(const TraceJob& job, const RayCaster<float>* caster, const TracePixels& pixels)
       : job_(job), caster_(caster), pixels_(pixels), generations_(job, caster) {}
 
   void run(const Tile& tile, TraceStats& stats) {
     std::vector<vec3> colors(pixels_.traced.empty() ? 0 : tile.pixel_count());
     const double started_ms = thread_cpu_ms();
-    for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x)
-        visit(x, y, static_cast<uint32_t>(y - tile.y0) * tile.width() + static_cast<uint32_t>(x - tile.x0), stats);
+    tile.for_each_pixel_in_blocks([&](int x, int y, uint32_t in_tile) { visit(x, y, in_tile, stats); });
     ask_shadow_rays(stats);
     stats.shadow_cpu_ms += thread_cpu_ms() - started_ms;
 
@@ -88,27 +95,41 @@ class TileTrace {
     if (!(wants_lit && marked) && !scatters) return;
 
     const dvec3 dir = glm::normalize(job_.view.pixel_dir(x, y));
-    const Surface<float> surface = primary_surface(job_, triangle, dir);
-    const vec3 to_light(job_.light.toward);
-    if (wants_lit && marked && glm::dot(surface.side, to_light) > 0) {  // the unlit side needs no ray
+    if (wants_lit && marked) ask_light(index, triangle, dir);
+    if (scatters) generations_.add_scattered(in_tile, primary_surface(job_, triangle, dir), vec3(dir), stats);
+  }
+
+  void ask_light(size_t index, uint32_t triangle, const dvec3& dir) {
+    if (job_.light_buffer) {
+      auto query = primary_shadow_query(job_.scene, triangle, job_.view.eye, dir, job_.light.toward);
+      if (!query) return;
+      query->anywhere = job_.eye_enclosed;
+      shadow_queries_.push_back(*query);
+    } else {
+      const Surface<float> surface = primary_surface(job_, triangle, dir);
+      const vec3 to_light(job_.light.toward);
+      if (glm::dot(surface.side, to_light) <= 0) return;  // the unlit side needs no ray
       shadow_rays_.push_back(leave(surface, to_light));
-      shadow_owner_.push_back(index);
     }
-    if (scatters) generations_.add_scattered(in_tile, surface, vec3(dir), stats);
+    shadow_owner_.push_back(index);
   }
 
   void ask_shadow_rays(TraceStats& stats) {
-    occluded_.resize(shadow_rays_.size());
-    caster_.any_hits(shadow_rays_, occluded_);
+    occluded_.resize(shadow_owner_.size());
+    if (job_.light_buffer)
+      shadow_answers(*job_.light_buffer, shadow_queries_, occluded_);
+    else
+      caster_->any_hits(shadow_rays_, occluded_);
     for (size_t i = 0; i < occluded_.size(); ++i) pixels_.lit[shadow_owner_[i]] = occluded_[i] ? 0 : HRT_MASK_LIT;
-    stats.shadow_rays += static_cast<int64_t>(shadow_rays_.size());
-    stats.primary_shadow_rays += static_cast<int64_t>(shadow_rays_.size());
+    stats.shadow_rays += static_cast<int64_t>(shadow_owner_.size());
+    stats.primary_shadow_rays += static_cast<int64_t>(shadow_owner_.size());
   }
 
   const TraceJob& job_;
-  const RayCaster<float>& caster_;
+  const RayCaster<float>* caster_;
   const TracePixels& pixels_;
   RayGenerations<float> generations_;
+  std::vector<ShadowQuery> shadow_queries_;  ///< or
   std::vector<Ray<float>> shadow_rays_;
   std::vector<size_t> shadow_owner_;
   std::vector<uint8_t> occluded_;
@@ -116,7 +137,7 @@ class TileTrace {
 
 }  // namespace
 
-TraceStats trace_pass(const TraceJob& job, const RayCaster<float>& caster, ThreadPool& pool,
+TraceStats trace_pass(const TraceJob& job, const RayCaster<float>* caster, ThreadPool& pool,
                       const TracePixels& pixels) {
   return for_each_tile(job.view, pool, [&](const Tile& tile, TraceStats& stats) {
     TileTrace(job, caster, pixels).run(tile, stats);
@@ -127,15 +148,13 @@ template <typename Real>
 TraceStats trace_frame(const TraceJob& job, const RayCaster<Real>& caster, ThreadPool& pool,
                        const TracedFrame<Real>& frame) {
   return for_each_tile(job.view, pool, [&](const Tile& tile, TraceStats& stats) {
-    RayGenerations<Real> generations(job, caster);
+    RayGenerations<Real> generations(job, &caster);
     std::vector<Vec3<Real>> colors(tile.pixel_count());
     std::vector<typename RayGenerations<Real>::PrimaryHit> primary(tile.pixel_count());
-    uint32_t in_tile = 0;
-    for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x) generations.add_primary(in_tile++, x, y);
+    tile.for_each_pixel_in_blocks([&](int x, int y, uint32_t in_tile) { generations.add_primary(in_tile, x, y); });
     generations.run(colors, primary, stats);
 
-    in_tile = 0;
+    uint32_t in_tile = 0;
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x, ++in_tile) {
         const size_t index = static_cast<size_t>(y) * job.view.width_px + x;

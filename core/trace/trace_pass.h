@@ -18,8 +18,9 @@ struct TracePixels {
 
 /// Pass 4 (paper, section 3.4): walks the pixels in tiles, each on one thread, nothing shared. Shadow rays
 /// where the boundary is marked; reflected and refracted rays, generation by generation, where the
-/// material asks for them. The same bytes for any number of threads.
-TraceStats trace_pass(const TraceJob& job, const RayCaster<float>& caster, ThreadPool& pool,
+/// material asks for them. `caster` may be null where the light buffer answers all shadow rays and nothing
+/// scatters. The same bytes for any number of threads.
+TraceStats trace_pass(const TraceJob& job, const RayCaster<float>* caster, ThreadPool& pool,
                       const TracePixels& pixels);
 
 /// A whole frame on the CPU: primary rays, shadow rays if `job.shadows`, and all generations after them.

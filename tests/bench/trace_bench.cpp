@@ -1,118 +1,162 @@
-// Build time and rays a second of the ray casters, on one thread, over a grid of balls made here.
-//   trace_bench --balls_per_side=16 --benchmark_filter=...
-// Rays: `primary` from a camera in front, in scanline order; `reflected` mirrored where these hit.
+// Build time and rays a second of everything that answers rays, on the rays that a frame of 1024x768 fires, and whole
+// frames beside a plain Embree program's.
+//   trace_bench --scene=scene:chess,triangles=500000 [--threads=N] [--benchmark_filter=...]
+// Rates are of one thread, by its processor time, unless the name ends in all_threads. `wrong` counts answers that
+// differ from a double-precision reference asked for the very same origin. scripts/trace_results.py makes the tables.
 
 #include <benchmark/benchmark.h>
 #include <cstdlib>
 #include <functional>
-#include <memory>
 #include <string_view>
 
 #include "core/trace/embree_caster.h"
 #include "core/trace/kd_caster.h"
+#include "core/trace/trace_pass.h"
+#include "embree_frame.h"
+#include "ray_sets.h"
 
 namespace hybridrt {
 namespace {
 
-/// balls_per_side^2 balls of 1,920 triangles in random heights above a floor of two triangles.
-Scene make_ball_grid(int balls_per_side) {
-  constexpr int kSegments = 40, kRings = 25;
-  Scene scene;
-  const auto add_quad = [&](uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
-    scene.triangle_positions.push_back({a, b, c});
-    if (d != a) scene.triangle_positions.push_back({a, c, d});
-  };
-  const float side = static_cast<float>(balls_per_side);
-  scene.positions = {{0, 0, 0}, {side, 0, 0}, {side, 0, side}, {0, 0, side}};
-  add_quad(0, 1, 2, 3);
-  uint32_t random = 1;
-  for (int ball = 0; ball < balls_per_side * balls_per_side; ++ball) {
-    random = random * 1664525u + 1013904223u;
-    const vec3 center(ball % balls_per_side + 0.5f, 0.5f + (random >> 8) * 0x1p-24f,
-                      ball / balls_per_side + 0.5f);
-    const uint32_t first = static_cast<uint32_t>(scene.positions.size());
-    for (int ring = 0; ring <= kRings; ++ring)
-      for (int segment = 0; segment < kSegments; ++segment) {
-        const double theta = kPi * ring / kRings, phi = 2 * kPi * segment / kSegments;
-        scene.positions.push_back(center +
-                                  0.45f * vec3(dvec3(std::sin(theta) * std::cos(phi), std::cos(theta),
-                                                     std::sin(theta) * std::sin(phi))));
-      }
-    const auto at = [&](int ring, int segment) { return first + ring * kSegments + segment % kSegments; };
-    for (int ring = 0; ring < kRings; ++ring)
-      for (int segment = 0; segment < kSegments; ++segment) {
-        if (ring == 0)
-          add_quad(at(0, segment), at(1, segment), at(1, segment + 1), at(0, segment));
-        else if (ring == kRings - 1)
-          add_quad(at(ring, segment), at(ring + 1, segment), at(ring, segment + 1), at(ring, segment));
-        else
-          add_quad(at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1),
-                   at(ring, segment + 1));
-      }
-  }
-  scene.bounds = compute_bounds(scene);
-  return scene;
-}
-
 struct Workload {
-  Scene scene;
-  ThreadPool pool{allowed_processors()};
+  ThreadPool pool;
+  BenchScene bench;
   KdTree tree;
-  std::vector<Ray<float>> primary, reflected;
+  std::unique_ptr<RayCaster<float>> embree, embree_packets, kd_scalar, kd_simd;
+  std::unique_ptr<RayCaster<double>> reference;
+  std::vector<int8_t> sides;
+  LightBuffer buffer;
+  RaySets sets;
 
-  explicit Workload(int balls_per_side) : scene(make_ball_grid(balls_per_side)) {
-    tree = build_kd_tree(scene, pool);
-    const float side = static_cast<float>(balls_per_side);
-    const vec3 eye(0.5f * side, 0.4f * side, -0.4f * side), target(0.5f * side, 0, 0.4f * side);
-    const vec3 forward = glm::normalize(target - eye),
-               right = glm::normalize(glm::cross(forward, vec3(0, 1, 0)));
-    const vec3 up = glm::cross(right, forward);
-    constexpr int kWidth = 640, kHeight = 480;
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x)
-        primary.push_back({eye, glm::normalize(forward + right * ((x + 0.5f) / kWidth - 0.5f) * 1.2f +
-                                               up * (0.5f - (y + 0.5f) / kHeight) * 0.9f)});
-    std::vector<Hit<float>> hits(primary.size());
-    make_kd_caster(tree, LeafKernel::simd)->closest_hits(primary, hits);
-    for (size_t i = 0; i < hits.size(); ++i) {
-      if (!hits[i].found()) continue;
-      const vec3 a = scene.vertex(hits[i].triangle, 0), b = scene.vertex(hits[i].triangle, 1),
-                 c = scene.vertex(hits[i].triangle, 2);
-      const vec3 normal = glm::normalize(glm::cross(b - a, c - a));
-      const Ray<float>& ray = primary[i];
-      reflected.push_back({ray.origin + hits[i].t * ray.dir, glm::reflect(ray.dir, normal), 1e-3f});
-    }
+  Workload(const std::string& scene, int threads) : pool(threads), bench(load_bench_scene(scene, pool)) {
+    tree = build_kd_tree(bench.scene, pool);
+    embree = make_embree_caster(bench.scene, threads, EmbreeRays::single);
+    embree_packets = make_embree_caster(bench.scene, threads);
+    kd_scalar = make_kd_caster(tree, LeafKernel::scalar);
+    kd_simd = make_kd_caster(tree, LeafKernel::simd);
+    reference = make_reference_caster(tree);
+    sides = triangle_sides(build_topology(bench.scene, pool));
+    buffer = build_light_buffer(bench.scene, sides, bench.toward, pool);
+    sets = make_ray_sets(bench, *embree, buffer);
   }
 };
+
+using Benchmark = std::function<void(benchmark::State&)>;
+
+benchmark::internal::Benchmark* add(const std::string& name, const Benchmark& body) {
+  return benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
+}
 
 void count_rays(benchmark::State& state, size_t rays) {
   state.counters["Mrays/s"] =
       benchmark::Counter(static_cast<double>(rays) * 1e-6, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-void closest(benchmark::State& state, const RayCaster<float>& caster, const std::vector<Ray<float>>& rays) {
-  std::vector<Hit<float>> hits(rays.size());
-  for (auto _ : state) caster.closest_hits(rays, hits);
-  count_rays(state, rays.size());
+size_t wrong_answers(const Workload& work, const std::vector<ShadowQuery>& queries,
+                     const std::vector<uint8_t>& occluded) {
+  std::vector<Ray<double>> rays;
+  for (const ShadowQuery& query : queries) rays.push_back({query.origin, work.bench.toward});
+  std::vector<uint8_t> truth(rays.size());
+  work.reference->any_hits(rays, truth);
+  size_t wrong = 0;
+  for (size_t i = 0; i < truth.size(); ++i) wrong += truth[i] != occluded[i];
+  return wrong;
 }
 
-void any(benchmark::State& state, const RayCaster<float>& caster, const std::vector<Ray<float>>& rays) {
-  std::vector<uint8_t> occluded(rays.size());
-  for (auto _ : state) caster.any_hits(rays, occluded);
-  count_rays(state, rays.size());
+void add_closest(const std::string& name, const RayCaster<float>& caster, const std::vector<Ray<float>>& rays) {
+  if (rays.empty()) return;
+  add(name, [&](benchmark::State& state) {
+    std::vector<Hit<float>> hits(rays.size());
+    for (auto _ : state) caster.closest_hits(rays, hits);
+    count_rays(state, rays.size());
+  });
 }
 
-void build(benchmark::State& state, const Scene& scene, int threads) {
-  ThreadPool pool(threads);
-  KdTree tree;
-  for (auto _ : state) tree = build_kd_tree(scene, pool);
-  const double triangles = static_cast<double>(scene.triangle_count());
-  const KdTreeShape shape = measure_shape(tree);
-  state.counters["triangles"] = triangles;
-  state.counters["bytes/triangle"] = static_cast<double>(memory_bytes(tree)) / triangles;
-  state.counters["references/triangle"] = static_cast<double>(shape.references) / triangles;
-  state.counters["leaves/triangle"] = static_cast<double>(shape.leaves) / triangles;
-  state.counters["depth"] = shape.depth;
+void add_shadow(const Workload& work, const std::string& set, const std::vector<ShadowQuery>& queries) {
+  if (queries.empty()) return;
+  const auto rays = std::make_shared<std::vector<Ray<float>>>(as_rays(queries, work.bench.toward));
+  const auto add_caster = [&](const std::string& name, const RayCaster<float>& caster) {
+    add(set + "/" + name, [&, rays](benchmark::State& state) {
+      std::vector<uint8_t> occluded(rays->size());
+      for (auto _ : state) caster.any_hits(*rays, occluded);
+      count_rays(state, rays->size());
+      state.counters["wrong"] = static_cast<double>(wrong_answers(work, queries, occluded));
+    });
+  };
+  add_caster("embree", *work.embree);
+  add_caster("embree_packets", *work.embree_packets);
+  add_caster("kd_scalar", *work.kd_scalar);
+  add_caster("kd_simd", *work.kd_simd);
+  add(set + "/light_buffer", [&](benchmark::State& state) {
+    std::vector<uint8_t> occluded(queries.size());
+    for (auto _ : state) shadow_answers(work.buffer, queries, occluded);
+    count_rays(state, queries.size());
+    state.counters["wrong"] = static_cast<double>(wrong_answers(work, queries, occluded));
+  });
+}
+
+/// All threads at once, as a frame asks: a tile's worth of rays at a time.
+void add_all_threads(Workload& work) {
+  constexpr size_t kRaysATime = 1024;
+  const auto& queries = work.sets.shadow_all;
+  const auto rays = std::make_shared<std::vector<Ray<float>>>(as_rays(queries, work.bench.toward));
+  const auto occluded = std::make_shared<std::vector<uint8_t>>(queries.size());
+  const auto add_set = [&](const std::string& name, const std::function<void(size_t, size_t)>& answer) {
+    add(name + "/all_threads", [&work, &queries, answer](benchmark::State& state) {
+      for (auto _ : state) parallel_for(work.pool, queries.size(), kRaysATime, answer);
+      count_rays(state, queries.size());
+    })->UseRealTime();
+  };
+  add_set("shadow_all/embree_packets", [&work, rays, occluded](size_t begin, size_t end) {
+    work.embree_packets->any_hits(std::span(*rays).subspan(begin, end - begin), {&(*occluded)[begin], end - begin});
+  });
+  add_set("shadow_all/light_buffer", [&work, &queries, occluded](size_t begin, size_t end) {
+    shadow_answers(work.buffer, std::span(queries).subspan(begin, end - begin), {&(*occluded)[begin], end - begin});
+  });
+}
+
+/// Whole frames: ours by --method raytrace, by the same with traced shadow rays, and the plain Embree program's.
+void add_frames(Workload& work, int threads) {
+  const View& view = work.bench.view;
+  const size_t pixels = static_cast<size_t>(view.width_px) * view.height_px;
+  const auto picture = std::make_shared<std::vector<vec4>>(pixels);
+  const auto ids = std::make_shared<std::vector<uint32_t>>(pixels);
+  const auto lit = std::make_shared<std::vector<uint8_t>>(pixels);
+  const TraceJob plain{work.bench.scene, view, {work.bench.toward, vec3(1)}};
+  const auto add_ours = [&](const std::string& name, const RayCaster<float>& caster, const LightBuffer* buffer) {
+    add("frame/" + name, [&work, &caster, buffer, plain, picture, ids, lit](benchmark::State& state) {
+      TraceJob job = plain;
+      job.light_buffer = buffer;
+      for (auto _ : state) trace_frame(job, caster, work.pool, TracedFrame<float>{*picture, *ids, *lit});
+    })->UseRealTime();
+  };
+  add_ours("raytrace", *work.embree_packets, &work.buffer);
+  add_ours("raytrace_traced_shadows", *work.embree_packets, nullptr);
+  add_ours("raytrace_kd_tree", *work.kd_simd, &work.buffer);
+  const auto yardstick = std::make_shared<EmbreeFrame>(work.bench.scene, threads);
+  add("frame/plain_embree", [&work, plain, yardstick, picture](benchmark::State& state) {
+    for (auto _ : state) yardstick->render(plain, work.pool, *picture);
+  })->UseRealTime();
+}
+
+void add_builds(Workload& work, int threads) {
+  const double triangles = static_cast<double>(work.bench.scene.triangle_count());
+  add("build/kd_tree", [&, triangles](benchmark::State& state) {
+    KdTree tree;
+    for (auto _ : state) tree = build_kd_tree(work.bench.scene, work.pool);
+    state.counters["bytes/triangle"] = static_cast<double>(memory_bytes(tree)) / triangles;
+  })->UseRealTime();
+  add("build/embree", [&, threads](benchmark::State& state) {
+    for (auto _ : state) make_embree_caster(work.bench.scene, threads);
+  })->UseRealTime();
+  add("build/light_buffer", [&, triangles](benchmark::State& state) {
+    LightBuffer buffer;
+    for (auto _ : state)
+      buffer = build_light_buffer(work.bench.scene, work.sides, work.bench.toward, work.pool);
+    state.counters["bytes/triangle"] = static_cast<double>(memory_bytes(buffer)) / triangles;
+    state.counters["entries"] = static_cast<double>(buffer.entries.size());
+    state.counters["cells"] = static_cast<double>(buffer.cells.size() - 1);
+  })->UseRealTime();
 }
 
 }  // namespace
@@ -120,47 +164,43 @@ void build(benchmark::State& state, const Scene& scene, int threads) {
 
 int main(int argc, char** argv) {
   using namespace hybridrt;
-  int balls_per_side = 16;
-  constexpr std::string_view kBalls = "--balls_per_side=";
-  if (argc > 1 && std::string_view(argv[1]).starts_with(kBalls)) {
-    balls_per_side = std::max(1, std::atoi(argv[1] + kBalls.size()));
-    argv[1] = argv[0], ++argv, --argc;
-  }
   benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  std::string scene = "scene:chess,triangles=500000";
+  int threads = allowed_processors();
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    if (argument.starts_with("--scene="))
+      scene = argument.substr(8);
+    else if (argument.starts_with("--threads="))
+      threads = std::max(1, std::atoi(argv[i] + 10));
+    else
+      return fprintf(stderr, "trace_bench: unknown option %s\n", argv[i]), 2;
+  }
 
-  const Workload work(balls_per_side);
-  const int processors = allowed_processors();
-  const auto embree = make_embree_caster(work.scene, processors);
-  const auto scalar = make_kd_caster(work.tree, LeafKernel::scalar);
-  const auto simd = make_kd_caster(work.tree, LeafKernel::simd);
-
-  for (const int threads : {1, processors})
-    benchmark::RegisterBenchmark(("build/kd/threads:" + std::to_string(threads)).c_str(),
-                                 [&work, threads](benchmark::State& s) { build(s, work.scene, threads); })
-        ->Unit(benchmark::kMillisecond)
-        ->UseRealTime();
-  benchmark::RegisterBenchmark(("build/embree/threads:" + std::to_string(processors)).c_str(),
-                               [&](benchmark::State& s) {
-                                 for (auto _ : s) make_embree_caster(work.scene, processors);
-                               })
-      ->Unit(benchmark::kMillisecond)
-      ->UseRealTime();
-  const std::pair<std::string, const RayCaster<float>*> casters[] = {
-      {"kd_scalar", scalar.get()}, {"kd_simd", simd.get()}, {"embree", embree.get()}};
-  const std::pair<std::string, const std::vector<Ray<float>>*> workloads[] = {{"primary", &work.primary},
-                                                                              {"reflected", &work.reflected}};
-  for (const auto& [rays_name, rays] : workloads)
-    for (const auto& [caster_name, caster] : casters) {
-      benchmark::RegisterBenchmark(
-          ("closest/" + rays_name + "/" + caster_name).c_str(),
-          [caster = caster, rays = rays](benchmark::State& s) { closest(s, *caster, *rays); })
-          ->Unit(benchmark::kMillisecond);
-      benchmark::RegisterBenchmark(
-          ("any/" + rays_name + "/" + caster_name).c_str(),
-          [caster = caster, rays = rays](benchmark::State& s) { any(s, *caster, *rays); })
-          ->Unit(benchmark::kMillisecond);
-    }
+  Workload work(scene, threads);
+  printf(
+      "%s: %zu triangles; rays: %zu primary, %zu shadow, %zu of marked pixels, %zu/%zu reflected "
+      "flat/curved, "
+      "%zu refracted; %d threads build\n",
+      scene.c_str(), work.bench.scene.triangle_count(), work.sets.primary.size(), work.sets.shadow_all.size(),
+      work.sets.shadow_marked.size(), work.sets.reflected_flat.size(), work.sets.reflected_curved.size(),
+      work.sets.refracted.size(), threads);
+  add_builds(work, threads);
+  add_shadow(work, "shadow_all", work.sets.shadow_all);
+  add_shadow(work, "shadow_marked", work.sets.shadow_marked);
+  add_all_threads(work);
+  add_frames(work, threads);
+  const std::pair<std::string, const std::vector<Ray<float>>*> sets[] = {
+      {"primary", &work.sets.primary},
+      {"reflected_flat", &work.sets.reflected_flat},
+      {"reflected_curved", &work.sets.reflected_curved},
+      {"refracted", &work.sets.refracted}};
+  for (const auto& [name, rays] : sets) {
+    add_closest(name + "/embree", *work.embree, *rays);
+    add_closest(name + "/embree_packets", *work.embree_packets, *rays);
+    add_closest(name + "/kd_scalar", *work.kd_scalar, *rays);
+    add_closest(name + "/kd_simd", *work.kd_simd, *rays);
+  }
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

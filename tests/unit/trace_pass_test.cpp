@@ -7,6 +7,7 @@
 #include "core/scene/spheres.h"
 #include "core/trace/embree_caster.h"
 #include "core/trace/kd_caster.h"
+#include "core/trace/primary_surface.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
@@ -28,7 +29,7 @@ class TracePass : public testing::Test {
     TracePixels pixels{ids_, mask, {}, {}};
     if (want_lit) pixels.lit = result.lit;
     if (want_traced) pixels.traced = result.traced;
-    result.stats = trace_pass(job_, *caster_, pool, pixels);
+    result.stats = trace_pass(job_, caster_.get(), pool, pixels);
     return result;
   }
 
@@ -71,6 +72,43 @@ TEST_F(TracePass, WithoutAMaskEveryReceiverAsksOneRayOrFacesAway) {
     wrong += all.lit[i] != lit_[i];
   }
   EXPECT_LE(wrong, kPixels / 2000);
+}
+
+TEST_F(TracePass, WithALightBufferTheAnswersAreThoseOfDoublePrecision) {
+  const std::vector<int8_t> sides = triangle_sides(build_topology(scene_, pool_));
+  const LightBuffer buffer = build_light_buffer(scene_, sides, job_.light.toward, pool_);
+  const auto reference = make_reference_caster(tree_);
+  TraceJob job = job_;
+  job.light_buffer = &buffer;
+
+  Result hybrid;
+  TracePixels pixels{ids_, {}, hybrid.lit, {}};
+  const TraceStats stats = trace_pass(job, nullptr, pool_, pixels);
+  int64_t asked = 0, shadowed = 0;
+  for (int i = 0; i < kPixels; ++i) {
+    bool lit = false;
+    if (ids_[i] != kNoTriangle) {
+      const dvec3 dir = glm::normalize(view_.pixel_dir(i % kWidth_px, i / kWidth_px));
+      if (const auto query = primary_shadow_query(scene_, ids_[i], view_.eye, dir, job.light.toward)) {
+        const Ray<double> ray{query->origin, job.light.toward};
+        uint8_t occluded;
+        reference->any_hits({&ray, 1}, {&occluded, 1});
+        lit = !occluded;
+        ++asked, shadowed += occluded;
+      }
+    }
+    ASSERT_EQ(hybrid.lit[i] == HRT_MASK_LIT, lit) << i;
+  }
+  EXPECT_EQ(stats.primary_shadow_rays, asked);
+  EXPECT_GT(shadowed, asked / 100);
+
+  // A whole frame on the CPU sees the same triangles here, and asks the same.
+  std::vector<vec4> picture(kPixels);
+  std::vector<uint32_t> ids(kPixels);
+  std::vector<uint8_t> lit(kPixels);
+  trace_frame(job, *caster_, pool_, TracedFrame<float>{picture, ids, lit});
+  EXPECT_EQ(ids, ids_);
+  EXPECT_EQ(lit, hybrid.lit);
 }
 
 TEST_F(TracePass, OnlyMarkedPixelsAsk) {

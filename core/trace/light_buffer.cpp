@@ -1,0 +1,146 @@
+#include "core/trace/light_buffer.h"
+
+#include <hwy/highway.h>
+
+#include "core/base/check.h"
+#include "core/trace/light_cells.h"
+#include "core/trace/triangle.h"
+
+namespace hybridrt {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::FixedTag<float, 4>;
+constexpr Lanes kLanes;
+
+class Lookup {
+ public:
+  explicit Lookup(const LightBuffer& buffer)
+      : buffer_(buffer),
+        // Only `origin` differs between the queries.
+        ray_(shear_ray(dvec3(0), buffer.toward)) {}
+
+  /// Memory is what queries wait for, so a group of them goes through each step together: first all cells are
+  /// sent for, then all first entries.
+  static constexpr size_t kGroup = 16;
+  void answer_group(const ShadowQuery* queries, size_t count, uint8_t* occluded) const {
+    Place places[kGroup];
+    for (size_t i = 0; i < count; ++i) {
+      places[i] = place_of(queries[i].origin);
+      if (places[i].cell) __builtin_prefetch(places[i].cell);
+    }
+    for (size_t i = 0; i < count; ++i)
+      if (places[i].cell && places[i].depth >= places[i].cell->nearest)
+        __builtin_prefetch(&buffer_.entries[places[i].cell->first]);
+    for (size_t i = 0; i < count; ++i) occluded[i] = places[i].cell && is_occluded(queries[i], places[i]);
+  }
+
+  /// How often the ray leaves closed bodies, less how often it enters them.
+  int surplus_of_exits(const dvec3& origin) const {
+    const ShadowQuery query{origin};
+    const LightCell* cell = place_of(origin).cell;
+    if (!cell) return 0;
+    int surplus = 0;
+    for (uint32_t i = cell->first; i < cell[1].first; ++i)
+      surplus += exit_of(query, buffer_.entries[i].triangle);
+    for (uint32_t i = cell->first_other; i < cell[1].first_other; ++i)
+      surplus += exit_of(query, buffer_.others[i]);
+    return surplus;
+  }
+
+ private:
+  struct Place {
+    const LightCell* cell = nullptr;  ///< null beside the grid, where nothing is met
+    float x, y, depth;                ///< in the cell's coordinates
+  };
+
+  Place place_of(const dvec3& origin) const {
+    const dvec3 at = grid_from_light(buffer_, light_from_scene(buffer_, origin));
+    if (!(at.x >= 0 && at.y >= 0 && at.x < 2.0 * buffer_.cells_x && at.y < 2.0 * buffer_.cells_y)) return {};
+    const int i = static_cast<int>(0.5 * at.x), j = static_cast<int>(0.5 * at.y);
+    Place place;
+    place.cell = &buffer_.cells[static_cast<size_t>(j) * buffer_.cells_x + i];
+    place.x = static_cast<float>(at.x - (2 * i + 1));
+    place.y = static_cast<float>(at.y - (2 * j + 1));
+    place.depth = static_cast<float>(std::clamp(at.z, -2.0, 2.0));  // all triangles lie in [-1, 1]
+    return place;
+  }
+
+  bool is_occluded(const ShadowQuery& query, const Place& place) const {
+    const LightCell* cell = place.cell;
+    if (query.anywhere || starts_inside(query)) return any_of_cell(query, cell);
+    if (place.depth < cell->nearest) return false;
+    if (place.depth > cell->cover) return true;
+
+    const auto x = hn::Set(kLanes, place.x), y = hn::Set(kLanes, place.y);
+    alignas(16) const float lane_3[4] = {0, 0, 0, place.depth};
+    const auto own_depth = hn::Load(kLanes, lane_3);
+    const auto edge_error = hn::Set(kLanes, static_cast<float>(kCellError));
+    const auto in_lane_3 = hn::Not(hn::FirstN(kLanes, 3));
+    for (uint32_t i = cell->first; i < cell[1].first; ++i) {
+      const LightEntry& entry = buffer_.entries[i];
+      if (place.depth < entry.nearest) return false;
+      const auto error = hn::IfThenElse(in_lane_3, hn::Load(kLanes, &entry.nearest), edge_error);
+      const auto value =
+          hn::Add(hn::Add(hn::Mul(hn::Load(kLanes, entry.a), x), hn::Mul(hn::Load(kLanes, entry.b), y)),
+                  hn::Add(hn::Load(kLanes, entry.c), own_depth));
+      if (!hn::AllFalse(kLanes, hn::Lt(value, hn::Neg(error)))) continue;  // certainly beside it, or nearer
+      if (entry.triangle == query.triangle) continue;                      // a plane does not shadow itself
+      if (hn::AllTrue(kLanes, hn::Gt(value, error)) || meets(query, entry.triangle)) return true;
+    }
+    return false;
+  }
+
+  /// 1 if the ray leaves a closed body by the triangle, -1 if it enters one, else 0.
+  int exit_of(const ShadowQuery& query, uint32_t triangle) const {
+    if (buffer_.sides[triangle] == 0 || !meets(query, triangle)) return 0;
+    const Scene& scene = *buffer_.scene;
+    const dvec3 a(scene.vertex(triangle, 0)), b(scene.vertex(triangle, 1)), c(scene.vertex(triangle, 2));
+    const double facing = glm::dot(glm::cross(b - a, c - a), buffer_.toward);
+    return facing > 0 ? buffer_.sides[triangle] : -buffer_.sides[triangle];
+  }
+
+  /// On the inner side of its own triangle.
+  bool starts_inside(const ShadowQuery& query) const {
+    if (query.triangle == kNoTriangle) return false;
+    const int8_t side = buffer_.sides[query.triangle];
+    return query.from_front ? side < 0 : side > 0;
+  }
+
+  bool meets(const ShadowQuery& query, uint32_t triangle) const {
+    ShearedRay<double> ray = ray_;
+    ray.origin = query.origin;
+    TriangleHit<double> hit;
+    const Scene& scene = *buffer_.scene;
+    return intersect_triangle(ray, scene.vertex(triangle, 0), scene.vertex(triangle, 1),
+                              scene.vertex(triangle, 2), hit) &&
+           hit.t > 0;
+  }
+
+  bool any_of_cell(const ShadowQuery& query, const LightCell* cell) const {
+    for (uint32_t i = cell->first; i < cell[1].first; ++i)
+      if (meets(query, buffer_.entries[i].triangle)) return true;
+    for (uint32_t i = cell->first_other; i < cell[1].first_other; ++i)
+      if (meets(query, buffer_.others[i])) return true;
+    return false;
+  }
+
+  const LightBuffer& buffer_;
+  ShearedRay<double> ray_;
+};
+
+}  // namespace
+
+void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries,
+                    std::span<uint8_t> occluded) {
+  HRT_CHECK_EQ(queries.size(), occluded.size());
+  const Lookup lookup(buffer);
+  for (size_t i = 0; i < queries.size(); i += Lookup::kGroup)
+    lookup.answer_group(&queries[i], std::min(Lookup::kGroup, queries.size() - i), &occluded[i]);
+}
+
+bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye) {
+  return Lookup(buffer).surplus_of_exits(eye) != 0;
+}
+
+}  // namespace hybridrt

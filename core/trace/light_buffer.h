@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/base/uninitialized.h"
+#include "core/scene/scene.h"
+#include "core/scene/topology.h"
+
+namespace hybridrt {
+
+// The shadow rays of a directional light are parallel. Seen along the light they are points, so a query is a
+// lookup in the plane: which triangles lie over this point, and is one of them nearer to the light? Source:
+// the light buffer of Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 6(9),
+// 1986.
+//
+// Light space: x and y across the light's direction, z along it, growing away from the light. A grid of cells
+// over x and y lists the triangles over each cell, nearest first.
+//
+// Only half of a closed body is needed. A ray that starts outside it and reaches infinity enters it as often
+// as it leaves it, so it meets the body exactly when it meets one of the triangles that it enters by, those
+// that face away from the light. A lit surface then never finds itself or its neighbours in its way, and
+// needs no bias. The other half is kept apart, for queries that may start inside something.
+
+/// One triangle over one cell, in the cell's own coordinates: x and y in [-1, 1]. Lanes 0-2 of
+/// a x + b y + c are the signed distances to the triangle's edges (positive inside), lane 3 is minus the
+/// depth of its plane. One cache line.
+struct alignas(64) LightEntry {
+  float a[4], b[4], c[4];
+  float nearest;  ///< a lower bound of its depth over the cell; ascends in a cell
+  uint32_t triangle;
+  float unused;
+  float depth_error;  ///< depths that differ by less must be compared in double precision
+};
+static_assert(sizeof(LightEntry) == 64);
+
+struct LightCell {
+  uint32_t first;        ///< of its entries; they end where the next cell's begin
+  float nearest;         ///< of the first entry; infinite where there is none
+  float cover;           ///< what lies deeper is in shadow: one triangle covers all of the cell
+  uint32_t first_other;  ///< of its triangles in `others`
+};
+
+/// What a light sees of a scene; only data, see build_light_buffer. Refers to scene and sides, which must
+/// outlive it.
+struct LightBuffer {
+  const Scene* scene = nullptr;
+  std::span<const int8_t> sides;  ///< of each triangle, see triangle_sides
+  dvec3 toward{0, 1, 0};      ///< unit, to the light
+  dvec3 x_axis{1, 0, 0}, y_axis{0, 0, 1};
+  dvec3 center{0};  ///< scene space; taken off first, so that digits last far from the origin
+
+  dvec2 corner{0};  ///< light space, relative to `center`: where the grid begins
+  double cells_per_unit = 1;
+  double depth_per_unit = 1;  ///< depths are scaled so that the scene lies in [-1, 1]
+  int cells_x = 0, cells_y = 0;
+
+  std::vector<LightCell> cells;  ///< rows of cells_x, and one more that ends the last
+  UninitializedVector<LightEntry> entries;
+  UninitializedVector<uint32_t>
+      others;  ///< over each cell: those that face the light, and those deeper than its cover
+};
+
+/// Of each triangle: 1 if it belongs to a closed body wound outward, -1 if to one wound inward, else 0.
+std::vector<int8_t> triangle_sides(const Topology& topology);
+
+/// `toward` unit, `sides` from triangle_sides. The same buffer for any number of threads.
+LightBuffer build_light_buffer(const Scene& scene, std::span<const int8_t> sides, const dvec3& toward,
+                               ThreadPool& pool);
+
+/// A shadow ray toward the light. `origin` lies in scene space, off its surface by an offset, on the side
+/// that the ray leaves by; `triangle` is the one that it leaves (or kNoTriangle), which faces the light
+/// there.
+struct ShadowQuery {
+  dvec3 origin{0};
+  uint32_t triangle = kNoTriangle;
+  bool from_front = true;  ///< it leaves by the triangle's counterclockwise side
+  bool anywhere = false;   ///< the origin may lie inside a closed body other than the triangle's own
+};
+
+/// 1 where something lies between the origin and the light, else 0. The answer is that of a ray traced in
+/// double precision against every triangle (intersect_triangle) but its own, not nearly so: what single
+/// precision cannot decide is decided by that same test. Thread-safe.
+void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries,
+                    std::span<uint8_t> occluded);
+
+/// True if a point seen from `eye` may lie inside a closed body: queries that start at what `eye` sees must
+/// then be asked with `anywhere`.
+bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye);
+
+/// Bytes of a finished buffer.
+size_t memory_bytes(const LightBuffer& buffer);
+
+}  // namespace hybridrt

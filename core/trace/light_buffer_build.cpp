@@ -1,0 +1,256 @@
+#include <atomic>
+#include <limits>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/trace/light_cells.h"
+#include "core/trace/triangle.h"
+
+namespace hybridrt {
+namespace {
+
+constexpr size_t kTrianglesAChunk = 4096;
+constexpr int kRowsAChunk = 4;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+enum class Part : uint8_t {
+  nothing,  ///< zero area
+  entries,
+  others,
+};
+
+/// Which way a triangle faces decides, unless rounding might; then it counts as facing away.
+Part part_of(const Scene& scene, uint32_t triangle, int8_t side, const dvec3& toward) {
+  const vec3 a = scene.vertex(triangle, 0), b = scene.vertex(triangle, 1), c = scene.vertex(triangle, 2);
+  if (is_degenerate(a, b, c)) return Part::nothing;
+  if (side == 0) return Part::entries;
+  const dvec3 e1 = dvec3(b) - dvec3(a), e2 = dvec3(c) - dvec3(a);
+  const double facing = side * glm::dot(glm::cross(e1, e2), toward);
+  const double rounding = 0x1p-46 * glm::length(e1) * glm::length(e2);
+  return facing > rounding ? Part::others : Part::entries;
+}
+
+class Builder {
+ public:
+  Builder(LightBuffer& buffer, ThreadPool& pool)
+      : buffer_(buffer),
+        scene_(*buffer.scene),
+        pool_(pool),
+        positions_light_(scene_.positions.size()),
+        parts_(scene_.triangle_count()) {}
+
+  void run() {
+    transform_positions();
+    sort_into_parts();
+    choose_grid();
+    count();
+    fill();
+    make_entries();
+  }
+
+ private:
+  /// A triangle over a cell, before it becomes an entry.
+  struct Reference {
+    float nearest;
+    uint32_t triangle;
+    bool operator<(const Reference& other) const {
+      return nearest != other.nearest ? nearest < other.nearest : triangle < other.triangle;
+    }
+  };
+
+  GridTriangle grid_triangle(uint32_t triangle) const {
+    const uvec3& corners = scene_.triangle_positions[triangle];
+    return {grid_from_light(buffer_, positions_light_[corners.x]),
+            grid_from_light(buffer_, positions_light_[corners.y]),
+            grid_from_light(buffer_, positions_light_[corners.z])};
+  }
+
+  void transform_positions() {
+    parallel_for(pool_, positions_light_.size(), kTrianglesAChunk, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i)
+        positions_light_[i] = light_from_scene(buffer_, dvec3(scene_.positions[i]));
+    });
+  }
+
+  void sort_into_parts() {
+    const size_t chunks = (parts_.size() + kTrianglesAChunk - 1) / kTrianglesAChunk;
+    std::vector<std::pair<dvec3, dvec3>> bounds(chunks, {dvec3(1e300), dvec3(-1e300)});
+    std::atomic<size_t> kept = 0;
+    parallel_for(pool_, parts_.size(), kTrianglesAChunk, [&](size_t begin, size_t end) {
+      auto& [lo, hi] = bounds[begin / kTrianglesAChunk];
+      size_t kept_here = 0;
+      for (size_t i = begin; i < end; ++i) {
+        const auto triangle = static_cast<uint32_t>(i);
+        parts_[i] = part_of(scene_, triangle, buffer_.sides[i], buffer_.toward);
+        if (parts_[i] == Part::nothing) continue;
+        kept_here += parts_[i] == Part::entries;
+        for (int corner = 0; corner < 3; ++corner) {
+          const dvec3& p = positions_light_[scene_.triangle_positions[i][corner]];
+          lo = glm::min(lo, p), hi = glm::max(hi, p);
+        }
+      }
+      kept += kept_here;
+    });
+    for (const auto& [lo, hi] : bounds) lo_ = glm::min(lo_, lo), hi_ = glm::max(hi_, hi);
+    kept_ = kept;
+  }
+
+  /// Half as many cells as triangles that make entries: measured, see docs/results/trace.md.
+  void choose_grid() {
+    const dvec3 size = glm::max(hi_ - lo_, dvec3(0));
+    const double wanted = std::clamp(0.5 * static_cast<double>(kept_), 64.0 * 64, 2048.0 * 2048);
+    const double longest = std::max({size.x, size.y, 1e-300});
+    double side = std::max(std::sqrt(size.x * size.y / wanted), longest / 4096);
+    if (!(kept_ > 0)) side = longest;
+    buffer_.cells_per_unit = 1 / side;
+    buffer_.corner = dvec2(lo_) - 0.01 * side;
+    buffer_.cells_x = static_cast<int>(size.x / side + 0.02) + 1;
+    buffer_.cells_y = static_cast<int>(size.y / side + 0.02) + 1;
+    const double depth = std::max(std::abs(lo_.z), std::abs(hi_.z));
+    buffer_.depth_per_unit = depth > 0 ? 1 / depth : 1;
+    buffer_.cells.assign(static_cast<size_t>(buffer_.cells_x) * buffer_.cells_y + 1,
+                         {0, kInfinity, kInfinity, 0});
+  }
+
+  template <typename Body>
+  void for_each_triangle_and_cell(const Body& body) {
+    parallel_for(pool_, parts_.size(), kTrianglesAChunk, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        if (parts_[i] == Part::nothing) continue;
+        const auto index = static_cast<uint32_t>(i);
+        const GridTriangle triangle = grid_triangle(index);
+        for_each_cell(triangle, buffer_.cells_x, buffer_.cells_y, [&](int x, int y) {
+          body(index, triangle, x, y, static_cast<size_t>(y) * buffer_.cells_x + x);
+        });
+      }
+    });
+  }
+
+  /// Where each cell's references begin.
+  void count() {
+    first_.assign(buffer_.cells.size(), 0);
+    first_other_.assign(buffer_.cells.size(), 0);
+    for_each_triangle_and_cell([&](uint32_t triangle, const GridTriangle&, int, int, size_t cell) {
+      uint32_t& number = parts_[triangle] == Part::entries ? first_[cell] : first_other_[cell];
+      std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed);
+    });
+    references_.resize(begin_each(first_));
+    others_.resize(begin_each(first_other_));
+  }
+
+  /// Turns numbers of things into where they begin; returns how many there are.
+  static uint32_t begin_each(std::vector<uint32_t>& numbers) {
+    uint64_t total = 0;
+    for (uint32_t& number : numbers) total += std::exchange(number, static_cast<uint32_t>(total));
+    HRT_CHECK(total < 0xFFFFFFFFu);
+    return static_cast<uint32_t>(total);
+  }
+
+  void fill() {
+    std::vector<uint32_t> next = first_, next_other = first_other_;
+    for_each_triangle_and_cell([&](uint32_t triangle, const GridTriangle& shape, int x, int y, size_t cell) {
+      if (parts_[triangle] == Part::others) {
+        others_[std::atomic_ref(next_other[cell]).fetch_add(1, std::memory_order_relaxed)] = triangle;
+        return;
+      }
+      const CellView view(shape, x, y);
+      references_[std::atomic_ref(next[cell]).fetch_add(1, std::memory_order_relaxed)] = {view.nearest(),
+                                                                                          triangle};
+      if (view.covers()) lower(buffer_.cells[cell].cover, view.farthest());
+    });
+  }
+
+  static void lower(float& value, float candidate) {
+    std::atomic_ref<float> shared(value);
+    float seen = shared.load(std::memory_order_relaxed);
+    while (candidate < seen && !shared.compare_exchange_weak(seen, candidate, std::memory_order_relaxed)) {
+    }
+  }
+
+  template <typename Body>
+  void for_each_cell_of_grid(const Body& body) {
+    parallel_for(pool_, buffer_.cells.size() - 1, static_cast<size_t>(buffer_.cells_x) * kRowsAChunk,
+                 [&](size_t begin, size_t end) {
+                   for (size_t cell = begin; cell < end; ++cell) body(cell);
+                 });
+  }
+
+  /// Sorts each cell's references: those that a query may get to become entries.
+  void make_entries() {
+    std::vector<uint32_t> first_entry(buffer_.cells.size()), first_other(buffer_.cells.size());
+    for_each_cell_of_grid([&](size_t cell) {
+      const auto first = references_.begin() + first_[cell], last = references_.begin() + first_[cell + 1];
+      std::sort(first, last);
+      std::sort(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1]);
+      const Reference at_cover{buffer_.cells[cell].cover, kNoTriangle};
+      first_entry[cell] = static_cast<uint32_t>(std::upper_bound(first, last, at_cover) - first);
+      first_other[cell] = first_other_[cell + 1] - first_other_[cell] + static_cast<uint32_t>(last - first) -
+                          first_entry[cell];
+    });
+    const uint32_t entries = begin_each(first_entry);
+    buffer_.others.resize(begin_each(first_other));
+    buffer_.entries.resize(entries);
+    for_each_cell_of_grid([&](size_t cell) {
+      buffer_.cells[cell].first = first_entry[cell];
+      buffer_.cells[cell].first_other = first_other[cell];
+      if (first_entry[cell] < first_entry[cell + 1])
+        buffer_.cells[cell].nearest = references_[first_[cell]].nearest;
+      const int x = static_cast<int>(cell % buffer_.cells_x), y = static_cast<int>(cell / buffer_.cells_x);
+      auto reference = references_.begin() + first_[cell];
+      for (uint32_t entry = first_entry[cell]; entry < first_entry[cell + 1]; ++entry, ++reference) {
+        const GridTriangle triangle = grid_triangle(reference->triangle);
+        buffer_.entries[entry] = CellView(triangle, x, y).entry(reference->triangle);
+      }
+      auto other = std::copy(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1],
+                             buffer_.others.begin() + first_other[cell]);
+      for (; reference != references_.begin() + first_[cell + 1]; ++reference) *other++ = reference->triangle;
+    });
+    buffer_.cells.back().first = entries;
+    buffer_.cells.back().first_other = static_cast<uint32_t>(buffer_.others.size());
+  }
+
+  LightBuffer& buffer_;
+  const Scene& scene_;
+  ThreadPool& pool_;
+  UninitializedVector<dvec3> positions_light_;
+  std::vector<Part> parts_;
+  std::vector<uint32_t> first_, first_other_;  ///< of each cell, in the arrays below
+  UninitializedVector<Reference> references_;
+  UninitializedVector<uint32_t> others_;
+  dvec3 lo_{1e300}, hi_{-1e300};  ///< light space
+  size_t kept_ = 0;
+};
+
+}  // namespace
+
+std::vector<int8_t> triangle_sides(const Topology& topology) {
+  std::vector<int8_t> sides(topology.component_of_triangle.size());
+  for (size_t i = 0; i < sides.size(); ++i) {
+    const Component& component = topology.component_of(static_cast<uint32_t>(i));
+    if (component.closed())
+      sides[i] = component.winding == Winding::outward ? 1 : component.winding == Winding::inward ? -1 : 0;
+  }
+  return sides;
+}
+
+LightBuffer build_light_buffer(const Scene& scene, std::span<const int8_t> sides, const dvec3& toward,
+                               ThreadPool& pool) {
+  HRT_CHECK_EQ(sides.size(), scene.triangle_count());
+  LightBuffer buffer;
+  buffer.scene = &scene;
+  buffer.sides = sides;
+  buffer.toward = toward;
+  const dvec3 other = std::abs(toward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
+  buffer.x_axis = glm::normalize(glm::cross(other, toward));
+  buffer.y_axis = glm::cross(toward, buffer.x_axis);
+  buffer.center = dvec3(scene.bounds.empty() ? vec3(0) : scene.bounds.center());
+  Builder(buffer, pool).run();
+  return buffer;
+}
+
+size_t memory_bytes(const LightBuffer& buffer) {
+  return buffer.cells.size() * sizeof(LightCell) +
+         buffer.entries.size() * sizeof(LightEntry) + buffer.others.size() * sizeof(uint32_t);
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,158 @@
+#include "embree_frame.h"
+
+#include <embree3/rtcore.h>
+
+#include "core/trace/ray_generations.h"
+#include "core/trace/scatter.h"
+
+namespace hybridrt {
+namespace {
+
+constexpr int kTile_px = 32, kBlock_px = 4, kPacket = kBlock_px * kBlock_px;
+
+template <typename Packet>
+void set_ray(Packet& packet, int lane, const vec3& origin, const vec3& dir) {
+  packet.org_x[lane] = origin.x, packet.org_y[lane] = origin.y, packet.org_z[lane] = origin.z;
+  packet.dir_x[lane] = dir.x, packet.dir_y[lane] = dir.y, packet.dir_z[lane] = dir.z;
+  packet.tnear[lane] = 0, packet.tfar[lane] = std::numeric_limits<float>::infinity();
+  packet.time[lane] = 0, packet.mask[lane] = 0xFFFFFFFFu, packet.id[lane] = packet.flags[lane] = 0;
+}
+
+void set_ray(RTCRay& ray, const vec3& origin, const vec3& dir) {
+  ray = {};
+  ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
+  ray.dir_x = dir.x, ray.dir_y = dir.y, ray.dir_z = dir.z;
+  ray.tfar = std::numeric_limits<float>::infinity();
+  ray.mask = 0xFFFFFFFFu;
+}
+
+/// One thread's work on one frame.
+class Painter {
+ public:
+  Painter(const TraceJob& job, RTCScene scene) : job_(job), scene_(scene), to_light_(job.light.toward) {
+    rtcInitIntersectContext(&coherent_);
+    coherent_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcInitIntersectContext(&incoherent_);
+  }
+
+  void block(int x0, int y0, std::span<vec4> picture) {
+    const View& view = job_.view;
+    alignas(64) int valid[kPacket];
+    RTCRayHit16 primary;
+    vec3 dirs[kPacket];
+    for (int lane = 0; lane < kPacket; ++lane) {
+      const int x = x0 + lane % kBlock_px, y = y0 + lane / kBlock_px;
+      valid[lane] = x < view.width_px && y < view.height_px ? -1 : 0;
+      dirs[lane] = vec3(glm::normalize(view.pixel_dir(x, y)));
+      set_ray(primary.ray, lane, vec3(view.eye), dirs[lane]);
+      primary.hit.geomID[lane] = primary.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect16(valid, scene_, &coherent_, &primary);
+
+    Surface<float> surfaces[kPacket];
+    alignas(64) int asks[kPacket];
+    RTCRay16 shadow;
+    for (int lane = 0; lane < kPacket; ++lane) {
+      asks[lane] = 0;
+      if (!valid[lane] || primary.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
+      surfaces[lane] = surface_at(job_.scene, primary.hit.primID[lane], primary.hit.u[lane], primary.hit.v[lane], dirs[lane]);
+      if (!job_.shadows || glm::dot(surfaces[lane].side, to_light_) <= 0) continue;
+      asks[lane] = -1;
+      set_ray(shadow, lane, leave(surfaces[lane], to_light_).origin, to_light_);
+    }
+    rtcOccluded16(asks, scene_, &coherent_, &shadow);
+
+    for (int lane = 0; lane < kPacket; ++lane) {
+      if (!valid[lane]) continue;
+      const bool hit = primary.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
+      vec3 color = job_.background;
+      if (hit) {
+        const bool faces = glm::dot(surfaces[lane].side, to_light_) > 0;
+        color = shade(surfaces[lane], dirs[lane], faces && !(asks[lane] && shadow.tfar[lane] < 0));
+        color += scattered(surfaces[lane], dirs[lane], vec3(1), 0);
+      }
+      const int x = x0 + lane % kBlock_px, y = y0 + lane / kBlock_px;
+      picture[static_cast<size_t>(y) * view.width_px + x] = vec4(color, hit);
+    }
+  }
+
+ private:
+  vec3 shade(const Surface<float>& surface, const vec3& dir, bool lit) const {
+    const Material& m = job_.scene.materials[surface.material];
+    return phong(m.kd, m.ks, m.ke, m.ns, m.opacity, surface.normal, -dir, to_light_, job_.ambient, job_.light.color,
+                 lit ? 1.0f : 0.0f);
+  }
+
+  vec3 scattered(const Surface<float>& surface, const vec3& dir, const vec3& weight, int generation) {
+    const Material& material = job_.scene.materials[surface.material];
+    if (generation >= job_.reflection_depth || (!material.reflective() && !material.transmissive())) return vec3(0);
+    const Scattered<float> out = scatter(material, surface, dir);
+    return follow(leave(surface, out.reflected_dir), weight * out.reflected_weight, generation + 1) +
+           follow(leave(surface, out.refracted_dir, false), weight * out.refracted_weight, generation + 1);
+  }
+
+  vec3 follow(const Ray<float>& ray, const vec3& weight, int generation) {
+    if (std::max({weight.x, weight.y, weight.z}) < kSmallestWeight) return vec3(0);
+    RTCRayHit query;
+    set_ray(query.ray, ray.origin, ray.dir);
+    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene_, &incoherent_, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return weight * job_.background;
+    const Surface<float> surface = surface_at(job_.scene, query.hit.primID, query.hit.u, query.hit.v, ray.dir);
+    bool lit = glm::dot(surface.side, to_light_) > 0;
+    if (lit && job_.shadows) {
+      RTCRay shadow;
+      set_ray(shadow, leave(surface, to_light_).origin, to_light_);
+      rtcOccluded1(scene_, &incoherent_, &shadow);
+      lit = shadow.tfar >= 0;
+    }
+    return weight * shade(surface, ray.dir, lit) + scattered(surface, ray.dir, weight, generation);
+  }
+
+  const TraceJob& job_;
+  RTCScene scene_;
+  vec3 to_light_;
+  RTCIntersectContext coherent_, incoherent_;
+};
+
+}  // namespace
+
+struct EmbreeFrame::Handles {
+  RTCDevice device;
+  RTCScene scene;
+};
+
+EmbreeFrame::EmbreeFrame(const Scene& scene, int threads) : handles_(new Handles) {
+  handles_->device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
+  handles_->scene = rtcNewScene(handles_->device);
+  rtcSetSceneBuildQuality(handles_->scene, RTC_BUILD_QUALITY_HIGH);
+  RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                              sizeof(vec3), scene.positions.size()));
+  auto* indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                              sizeof(uvec3), scene.triangle_count()));
+  std::copy(scene.positions.begin(), scene.positions.end(), vertices);
+  std::copy(scene.triangle_positions.begin(), scene.triangle_positions.end(), indices);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(handles_->scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(handles_->scene);
+}
+
+EmbreeFrame::~EmbreeFrame() {
+  rtcReleaseScene(handles_->scene);
+  rtcReleaseDevice(handles_->device);
+}
+
+void EmbreeFrame::render(const TraceJob& job, ThreadPool& pool, std::span<vec4> picture) const {
+  const int tiles_x = (job.view.width_px + kTile_px - 1) / kTile_px;
+  const int tiles_y = (job.view.height_px + kTile_px - 1) / kTile_px;
+  pool.run(static_cast<size_t>(tiles_x) * tiles_y, [&](size_t tile, int) {
+    Painter painter(job, handles_->scene);
+    const int x0 = static_cast<int>(tile) % tiles_x * kTile_px, y0 = static_cast<int>(tile) / tiles_x * kTile_px;
+    for (int y = y0; y < std::min(y0 + kTile_px, job.view.height_px); y += kBlock_px)
+      for (int x = x0; x < std::min(x0 + kTile_px, job.view.width_px); x += kBlock_px) painter.block(x, y, picture);
+  });
+}
+
+}  // namespace hybridrt
