@@ -27,6 +27,8 @@ packages=(
   libhwy-dev             # SIMD
   libgtest-dev           # tests
   libbenchmark-dev       # benchmarks
+  clang                  # fuzzing: libFuzzer is clang's
+  libclang-rt-dev        # fuzzing: its runtime
 )
 
 fail() {

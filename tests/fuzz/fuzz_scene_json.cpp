@@ -1,0 +1,17 @@
+// Scene JSON without its meshes, and the camera in it or in a file beside it.
+
+#include "core/scene/scene_file.h"
+#include "tests/fuzz/input_file.h"
+#include "tests/fuzz/reader.h"
+
+namespace hybridrt::fuzz {
+
+void read_input(std::string_view bytes) {
+  input_file("path.json", R"({"orbit": {"target": [0, 0, 0], "radius": 3}})");
+  const std::filesystem::path file = input_file("input.json", bytes);
+  read_scene_file(file);
+  Warnings warnings;
+  read_scene_file_camera(file, {UpAxis::y, 0.8}, warnings);
+}
+
+}  // namespace hybridrt::fuzz
