@@ -26,7 +26,7 @@ ExitCode inspect(const RenderOptions& options, bool as_json) {
   found.plan = make_frame_plan(job.scene, facts, frame_request(job, first), job.settings);
   const bool light_moves = job.light.mode != LightMode::fixed;
   found.steps = explain_plan(found.plan, facts, job.settings, job.accel, light_moves);
-  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel);
+  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel, job.threads, job.frames.count());
 
   using Handler = nlohmann::ordered_json::error_handler_t;
   fmt::print("{}", as_json ? inspection_json(found).dump(2, ' ', false, Handler::replace) + "\n"

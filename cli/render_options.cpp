@@ -1,8 +1,11 @@
 #include "cli/render_options.h"
 
 #include "core/base/error.h"
-#include "core/scene/scene_file.h"
+#include "core/base/memory.h"
 #include "core/render/default_view.h"
+#include "core/render/memory_estimate.h"
+#include "core/scene/loading_bytes.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/procedural.h"
 #include "core/scene/scene_source.h"
 
@@ -10,6 +13,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace hybridrt::cli {
@@ -132,6 +137,25 @@ RenderSettings make_settings(const RenderOptions& o) {
   s.frames_in_flight = o.frames_in_flight;
   s.aovs = parse_aovs(o.aovs);
   return s;
+}
+
+/// Bytes: a number and K, M, G or T (of 1024), with or without B or iB behind it.
+uint64_t parse_max_memory(const std::string& text) {
+  if (text.empty()) return allowed_memory();
+  if (text == "none") return std::numeric_limits<uint64_t>::max();
+  constexpr std::string_view kUnits = "KMGT";
+  double bytes = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, status] = std::from_chars(text.data(), end, bytes);
+  std::string_view rest(stop, static_cast<size_t>(end - stop));
+  if (!rest.empty() && kUnits.find(rest.front()) != kUnits.npos) {
+    bytes *= std::exp2(10.0 * static_cast<double>(1 + kUnits.find(rest.front())));
+    rest.remove_prefix(1);
+    if (rest == "B" || rest == "iB") rest = {};
+  }
+  if (status != std::errc() || !rest.empty() || !(bytes >= 1 && bytes < 1e18))
+    throw error(ErrorKind::usage, "--max-memory {}: write a number with K, M, G or T behind it, like 8G, or none", text);
+  return static_cast<uint64_t>(bytes);
 }
 
 std::optional<UpAxis> parse_up_axis(const RenderOptions& o) {
@@ -291,6 +315,8 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
 
   const char* machine = "Machine";
   app.add_option("--threads", o.threads, "Processors to use (default: all that are allowed)")->type_name("N")->group(machine);
+  app.add_option("--max-memory", o.max_memory, "What needs more is refused, by an estimate: 8G, 500M, none (default: "
+                 "all that the machine or its cgroup has)")->type_name("SIZE")->group(machine);
   app.add_option("--frames-in-flight", o.frames_in_flight, "1: pass after pass; 2 (default): GPU and CPU work on "
                  "neighbouring frames")->type_name("N")->group(machine);
   app.add_option_function("--gl", by_name("--gl", kBindings, o.gl), "auto (default), egl, osmesa")
@@ -373,8 +399,13 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings)
   job.gl = {o.gl, o.device, o.require_hardware, 0};
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
 
+  job.most_bytes = parse_max_memory(o.max_memory);
+  require_room_for_frames(job.settings, job.threads, job.frames.count(), job.most_bytes);
+
   ThreadPool pool(job.threads);
-  job.scene = load_scene(o.scene, pool, warnings, up_axis);
+  job.scene = load_scene(o.scene, pool, warnings, up_axis, job.most_bytes);
+  require_room_for_scene(o.scene, estimate_memory(job.scene, make_scene_facts(job.scene), job.settings, job.accel,
+                                                  job.threads, job.frames.count()).total(), job.most_bytes);
   job.motion.sequence = make_sequence(o, job.frames);
   Surroundings surroundings = Surroundings::outside;
   job.motion.course = make_course(o, job, up, surroundings, pool, warnings);

@@ -29,6 +29,7 @@ struct RenderOptions {
   std::string shadows;  ///< empty: the method's default
   int blur_kernel = 5, shadow_map = 2048, reflection_depth = 4;
   std::optional<int> threads;  ///< default: all allowed processors
+  std::string max_memory;      ///< SIZE or "none"; empty: what the machine and the cgroup have
   Accel accel = Accel::embree;
   int frames_in_flight = 2;
   gl::Binding gl = gl::Binding::any;

@@ -5,6 +5,7 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/scene/assemble_scene.h"
+#include "core/scene/loading_bytes.h"
 #include "core/scene/mtl_io.h"
 #include "core/scene/obj_parse.h"
 
@@ -18,12 +19,13 @@ std::string extension_of(const std::filesystem::path& path) {
   return extension;
 }
 
-/// What has a directory's name or none of ours is taken for OBJ, which says what is wrong with it.
 MeshData read_mesh(const std::filesystem::path& path, Warnings& warnings) {
-  const std::string extension = extension_of(path);
-  if (extension == ".ply") return read_ply(path, warnings);
-  if (extension == ".off") return read_off(path, warnings);
-  if (extension == ".stl") return read_stl(path, warnings);
+  switch (mesh_format_of(path)) {
+    case MeshFormat::ply: return read_ply(path, warnings);
+    case MeshFormat::off: return read_off(path, warnings);
+    case MeshFormat::stl: return read_stl(path, warnings);
+    case MeshFormat::obj: break;
+  }
   return parse_obj(path, warnings);
 }
 
@@ -36,13 +38,23 @@ void turn(MeshData& mesh, UpAxis up) {
 }  // namespace
 
 bool is_mesh_file(const std::filesystem::path& path) {
+  return mesh_format_of(path) != MeshFormat::obj || extension_of(path) == ".obj";
+}
+
+MeshFormat mesh_format_of(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
-  return extension == ".obj" || extension == ".ply" || extension == ".off" || extension == ".stl";
+  if (extension == ".ply") return MeshFormat::ply;
+  if (extension == ".off") return MeshFormat::off;
+  if (extension == ".stl") return MeshFormat::stl;
+  return MeshFormat::obj;
 }
 
 Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool,
-                  Warnings& warnings) {
+                  Warnings& warnings, uint64_t most_bytes) {
   HRT_CHECK(!paths.empty());
+  uint64_t bytes = 0;
+  for (const std::filesystem::path& path : paths) bytes += loading_bytes(path);
+  require_room_for_scene(paths.front().string() + (paths.size() > 1 ? " and the other meshes" : ""), bytes, most_bytes);
   std::vector<LoadedMesh> meshes(paths.size());
   std::vector<Warnings> own_warnings(paths.size());
   pool.run(paths.size(), [&](size_t i, int) {

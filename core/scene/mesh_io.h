@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -35,10 +37,17 @@ inline constexpr const char* kMeshFormats = ".obj, .ply, .off or .stl";
 /// Whether the extension, in whatever case, is one of these.
 bool is_mesh_file(const std::filesystem::path& path);
 
+/// By the extension. What has a directory's name or none of ours is taken for OBJ, whose reader says what is wrong.
+enum class MeshFormat { obj, ply, off, stl };
+MeshFormat mesh_format_of(const std::filesystem::path& path);
+
 /// Reads one or several meshes, of any of the formats, into one validated scene with one origin
 /// (assemble_scene). Meshes are read side by side; warnings come in the meshes' order. Files whose z axis
 /// points up are turned so that y does.
+///
+/// Throws Error (input) before reading any when together they would take more than `most_bytes` of memory
+/// (loading_bytes.h).
 Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool,
-                  Warnings& warnings);
+                  Warnings& warnings, uint64_t most_bytes = std::numeric_limits<uint64_t>::max());
 
 }  // namespace hybridrt
