@@ -21,7 +21,6 @@ packages=(
   libfmt-dev             # text
   nlohmann-json3-dev     # JSON
   libcli11-dev           # options
-  libtinyobjloader-dev   # OBJ
   libopenimageio-dev     # images
   libembree-dev          # rays
   libhwy-dev             # SIMD

@@ -40,9 +40,8 @@ uint64_t off_bytes(const fs::path& path, uint64_t file_bytes) {
   TextLines lines(path, LineJoin::none);
   uint64_t counts[2] = {0, 0};
   size_t found = 0;
-  for (TextLine line; found < 2 && lines.next(line);) {
-    std::string_view rest(line.begin, static_cast<size_t>(line.end - line.begin));
-    rest = rest.substr(0, rest.find('#'));
+  for (std::string_view line; found < 2 && lines.next(line);) {
+    std::string_view rest = line.substr(0, line.find('#'));
     for (std::string_view word = take_word(rest); found < 2 && !word.empty(); word = take_word(rest)) {
       const std::optional<double> number = parse_number(word);
       if (!number && found > 0) return 0;

@@ -63,11 +63,11 @@ Scene make_procedural(const std::string& argument, uint64_t most_bytes) {
 }  // namespace
 
 Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings,
-                 std::optional<UpAxis> up_axis, uint64_t most_bytes) {
+                 std::optional<UpAxis> up_axis, const LoadWatch& watch) {
   if (scene_argument.starts_with(kPrefix)) {
     if (up_axis.value_or(UpAxis::y) != UpAxis::y)
       throw error(ErrorKind::usage, "{}: its y axis points up; leave --up-axis out", scene_argument);
-    return make_procedural(scene_argument, most_bytes);
+    return make_procedural(scene_argument, watch.most_bytes);
   }
   const std::filesystem::path path(scene_argument);
   std::error_code unreachable;
@@ -77,12 +77,12 @@ Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& 
   if (is_scene_file(path)) {
     const SceneDescription description = read_scene_file(path);
     const UpAxis up = up_axis ? *up_axis : description.up_axis.value_or(UpAxis::y);
-    return load_meshes(description.meshes, up, pool, warnings, most_bytes);
+    return load_meshes(description.meshes, up, pool, warnings, watch);
   }
   if (!is_mesh_file(path) && !std::filesystem::is_directory(path, unreachable))
     throw error(ErrorKind::input, "{}: {} files are not read, only {} and scene .json; convert it to one of these",
                 scene_argument, path.has_extension() ? path.extension().string() : "such", kMeshFormats);
-  return load_meshes({&path, 1}, up_axis.value_or(UpAxis::y), pool, warnings, most_bytes);
+  return load_meshes({&path, 1}, up_axis.value_or(UpAxis::y), pool, warnings, watch);
 }
 
 }  // namespace hybridrt

@@ -61,7 +61,7 @@ std::string refusal(const std::string& scene, uint64_t most_bytes) {
   ThreadPool pool(1);
   Warnings warnings;
   try {
-    load_scene(scene, pool, warnings, std::nullopt, most_bytes);
+    load_scene(scene, pool, warnings, std::nullopt, {most_bytes});
     return "";
   } catch (const Error& refused) {
     EXPECT_EQ(refused.kind(), ErrorKind::input);
