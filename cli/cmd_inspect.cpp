@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/inspection.h"
+#include "cli/loading_line.h"
 #include "core/scene/topology_warnings.h"
 
 namespace hybridrt::cli {
@@ -12,7 +13,7 @@ namespace {
 ExitCode inspect(const RenderOptions& options, bool as_json) {
   Inspection found;
   found.scene = options.scene;
-  found.job = make_render_job(options, found.warnings);
+  found.job = load_showing_progress(options, found.warnings, as_json);
   const RenderJob& job = found.job;
 
   ThreadPool pool(job.threads);

@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/loading_line.h"
 #include "cli/progress.h"
 #include "cli/run_report.h"
 #include "cli/version.h"
@@ -149,7 +150,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   RunTotals totals;
   const Stopwatch loading;
   const RenderOptions options = with_scene_settings(command_line);
-  const RenderJob job = make_render_job(options, warnings);
+  const RenderJob job = load_showing_progress(options, warnings, output.quiet || output.json);
   if (refracts(job.scene)) {  // else it is not worth the time: inspect tells
     ThreadPool pool(job.threads);
     topology_warnings(job.scene, build_topology(job.scene, pool), warnings);

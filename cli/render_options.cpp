@@ -382,7 +382,7 @@ RenderOptions with_scene_settings(const RenderOptions& options) {
   return merged;
 }
 
-RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings) {
+RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings, LoadProgress* progress) {
   const RenderOptions o = with_scene_settings(command_line);
   const SceneDescription scene = is_scene_file(o.scene) ? read_scene_file(o.scene) : SceneDescription();
   const std::optional<UpAxis> up_axis = parse_up_axis(o);
@@ -403,7 +403,7 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings)
   require_room_for_frames(job.settings, job.threads, job.frames.count(), job.most_bytes);
 
   ThreadPool pool(job.threads);
-  job.scene = load_scene(o.scene, pool, warnings, up_axis, {job.most_bytes});
+  job.scene = load_scene(o.scene, pool, warnings, up_axis, {job.most_bytes, progress});
   require_room_for_scene(o.scene, estimate_memory(job.scene, make_scene_facts(job.scene), job.settings, job.accel,
                                                   job.threads, job.frames.count()).total(), job.most_bytes);
   job.motion.sequence = make_sequence(o, job.frames);

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
 #include "core/render/render_job.h"
+#include "core/scene/load_watch.h"
 
 #include <optional>
 #include <string>
@@ -49,7 +50,7 @@ void add_render_options(CLI::App& app, RenderOptions& options);
 RenderOptions with_scene_settings(const RenderOptions& options);
 
 /// Reads the scene and turns the options, as with_scene_settings() has them, into a job. Throws Error(usage) for values that cannot be,
-/// Error(input) for the scene.
-RenderJob make_render_job(const RenderOptions& options, Warnings& warnings);
+/// Error(input) for the scene. `progress` is told how far reading it is.
+RenderJob make_render_job(const RenderOptions& options, Warnings& warnings, LoadProgress* progress = nullptr);
 
 }  // namespace hybridrt::cli
