@@ -31,6 +31,7 @@ fuzz() {
 export folder seconds
 export -f fuzz
 
+scripts/setup.sh
 scripts/build.sh fuzz
 # Inputs go through files: in memory where there is such a place. A reader that is brought down leaves them behind.
 TMPDIR=$(mktemp -d -p "$([ -w /dev/shm ] && echo /dev/shm || echo "${TMPDIR:-/tmp}")" hybridrt-fuzz-XXXXXX)
