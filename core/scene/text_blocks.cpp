@@ -47,10 +47,12 @@ TextBlocks::TextBlocks(const std::filesystem::path& path, LineJoin join)
   file_.reset(std::fopen(path.c_str(), "rb"));
   if (!file_) throw error(ErrorKind::input, "{} cannot be opened: {}", path.string(), std::strerror(errno));
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // we read whole blocks
+  const uintmax_t file_bytes = std::filesystem::file_size(path, ignored);
+  if (!ignored) most_at_first_ = std::max<uintmax_t>(file_bytes + 1, 4096);  // a pipe says nothing
 }
 
 std::string_view TextBlocks::next(size_t bytes) {
-  for (size_t wanted = std::max<size_t>(bytes, 4);; wanted *= 2) {
+  for (size_t wanted = std::clamp<size_t>(bytes, 4, most_at_first_);; wanted *= 2) {
     read_up_to(wanted);
     const std::string_view text(buffer_.get() + begin_, end_ - begin_);
     size_t whole = at_end_ ? text.size() : whole_lines(text, join_, true);

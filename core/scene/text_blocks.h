@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -48,6 +49,7 @@ class TextBlocks {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::unique_ptr<char[]> buffer_;  // unread bytes are [begin_, end_)
   size_t capacity_ = 0, begin_ = 0, end_ = 0;
+  size_t most_at_first_ = std::numeric_limits<size_t>::max();  ///< small files need no large buffers
   bool at_end_ = false, first_ = true;
 };
 
