@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/parse_message.h"
 #include "cli/render_options.h"
 #include "core/base/output_file.h"
 #include "core/image_io/encode_image.h"
@@ -32,23 +33,28 @@ fs::path default_list() {
   return fs::exists(installed) ? installed : here;
 }
 
-/// Renders the one frame of a case.
-Image render_case(const GoldenCase& golden) {
+/// The one frame of a case. What is wrong with its options or its scene is the list's fault: Error(input).
+RenderJob make_case_job(const GoldenCase& golden) {
   RenderOptions options;
-  CLI::App parser{"options of golden case '" + golden.name + "'"};
+  CLI::App parser;
   add_render_options(parser, options);
   std::vector<std::string> arguments(golden.options.rbegin(), golden.options.rend());  // CLI11 takes them backwards
   arguments.push_back(golden.scene);
   try {
     parser.parse(arguments);
+    Warnings warnings;
+    RenderJob job = make_render_job(options, warnings);
+    if (job.frames.count() != 1)
+      throw error(ErrorKind::input, "{} frames; say which one, like --frames 5-5", job.frames.count());
+    return job;
   } catch (const CLI::ParseError& problem) {
+    throw error(ErrorKind::input, "golden case '{}': {}", golden.name, parse_message(parser, problem));
+  } catch (const Error& problem) {
     throw error(ErrorKind::input, "golden case '{}': {}", golden.name, problem.what());
   }
-  Warnings warnings;
-  const RenderJob job = make_render_job(options, warnings);
-  if (job.frames.count() != 1)
-    throw error(ErrorKind::input, "golden case '{}' renders {} frames; say which one, like --frames 5-5", golden.name,
-                job.frames.count());
+}
+
+Image picture_of(const RenderJob& job) {
   Image picture;
   run(job, [](const RunFacts&) {}, [] { return false; }, [&](Frame&& frame) { picture = std::move(frame.picture); });
   return picture;
@@ -59,13 +65,15 @@ void write_picture(const fs::path& path, const Image& picture) {
   write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 
+/// Throws what stands in the way of rendering the case at all; what is wrong with its expected picture is a result.
 GoldenResult check(const GoldenList& list, const GoldenCase& golden, const fs::path& output) {
   GoldenResult result;
   result.golden = golden;
   const Stopwatch stopwatch;
+  const RenderJob job = make_case_job(golden);
   try {
     const fs::path actual = output / (golden.name + ".png");
-    write_picture(actual, render_case(golden));
+    write_picture(actual, picture_of(job));
     result.actual = actual;
     const fs::path expected = list.expected(golden);
     if (!fs::exists(expected))
@@ -121,7 +129,7 @@ ExitCode check_all(const GoldenOptions& options) {
 ExitCode update_all(const GoldenOptions& options) {
   const GoldenList list = chosen_cases(options);
   for (const GoldenCase& golden : list.cases) {
-    write_picture(list.expected(golden), render_case(golden));
+    write_picture(list.expected(golden), picture_of(make_case_job(golden)));
     fmt::print("wrote {}\n", list.expected(golden).string());
   }
   return ExitCode::ok;

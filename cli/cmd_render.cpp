@@ -8,6 +8,7 @@
 #include "cli/interrupt.h"
 #include "cli/loading_line.h"
 #include "cli/progress.h"
+#include "cli/render_output.h"
 #include "cli/run_report.h"
 #include "cli/version.h"
 #include "core/base/output_file.h"
@@ -16,7 +17,6 @@
 #include "core/render/aov.h"
 #include "core/render/file_sink.h"
 #include "core/render/fingerprint.h"
-#include "core/render/output_pattern.h"
 #include "core/render/timings_csv.h"
 #include "core/scene/topology_warnings.h"
 
@@ -27,55 +27,6 @@ namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
 
 constexpr int kSheetColumns = 4, kSheetCell_px = 320, kMostSheetCells = 20;
-
-struct OutputOptions {
-  std::string pattern, timings, contact_sheet;
-  bool json = false, quiet = false, verbose = false;
-};
-
-std::string scene_name(const std::string& scene) {
-  if (scene.starts_with("scene:")) return scene.substr(6, scene.find(',') - 6);
-  return fs::path(scene).stem().string();
-}
-
-/// `timings.csv`, or `timings.0001-0010.csv` when the frames are only a part of the sequence.
-std::string with_range(const std::string& stem, const std::string& extension, const RenderJob& job) {
-  const FrameRange& whole = job.motion.sequence;
-  if (job.frames.lowest() == whole.first && job.frames.highest() == whole.last) return stem + extension;
-  return fmt::format("{}.{:04}-{:04}{}", stem, job.frames.lowest(), job.frames.highest(), extension);
-}
-
-/// Where a run's files go, settled before anything is rendered.
-struct OutputPaths {
-  OutputPattern pattern;
-  fs::path folder;
-  std::string timings;  ///< may be "-"
-  fs::path report;
-};
-
-OutputPaths prepare_output(const OutputOptions& options, const RenderOptions& render, const RenderJob& job) {
-  if (options.json && options.timings == "-")
-    throw error(ErrorKind::usage, "--timings - and --json both want standard output; give --timings a file");
-  OutputPaths paths;
-  const std::string pattern = options.pattern.empty() ? "out/" + scene_name(render.scene) + ".####.png" : options.pattern;
-  paths.pattern = parse_output_pattern(pattern, job.frames.count() > 1);
-  const fs::path first = output_path(paths.pattern, job.frames.lowest());
-  require_writable_format(first);
-  if (!options.contact_sheet.empty()) require_writable_format(options.contact_sheet);
-  paths.folder = first.parent_path().empty() ? fs::path(".") : first.parent_path();
-  std::error_code problem;
-  fs::create_directories(paths.folder, problem);
-  if (problem)
-    throw error(ErrorKind::output, "cannot make the folder {}: {}; choose another --output", paths.folder.string(),
-                problem.message());
-  paths.timings =
-      options.timings.empty() ? (paths.folder / with_range("timings", ".csv", job)).string() : options.timings;
-  // Beside the CSV, but not in /dev.
-  const bool is_file = paths.timings != "-" && (!fs::exists(paths.timings) || fs::is_regular_file(paths.timings));
-  const fs::path beside = is_file ? fs::path(paths.timings).parent_path() : paths.folder;
-  paths.report = beside / with_range("run", ".json", job);
-  return paths;
-}
 
 /// What the user sees while frames are rendered: text, or one JSON object a line.
 class Reporter {
@@ -144,6 +95,13 @@ class SheetCollector {
   std::vector<Image> cells_;
 };
 
+/// Files may hold anything; what is made on the spot is known to be manifold.
+void warn_of_topology(const RenderJob& job, Warnings& warnings) {
+  if (job.scene.files.empty() && !refracts(job.scene)) return;
+  ThreadPool pool(job.threads);
+  topology_warnings(job.scene, build_topology(job.scene, pool), warnings);
+}
+
 ExitCode render(const RenderOptions& command_line, const OutputOptions& output) {
   catch_signals();
   Warnings warnings;
@@ -151,12 +109,10 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   const Stopwatch loading;
   const RenderOptions options = with_scene_settings(command_line);
   const RenderJob job = load_showing_progress(options, warnings, output.quiet || output.json);
-  if (refracts(job.scene)) {  // else it is not worth the time: inspect tells
-    ThreadPool pool(job.threads);
-    topology_warnings(job.scene, build_topology(job.scene, pool), warnings);
-  }
+  warn_of_topology(job, warnings);
   totals.load_ms = loading.elapsed_ms();
-  const OutputPaths paths = prepare_output(output, options, job);
+  FileClaims claims;
+  const OutputPaths paths = prepare_output(output, options, job, claims, warnings);
 
   Reporter reporter(output, job.frames.count());
   reporter.warnings(warnings);

@@ -1,7 +1,7 @@
 // The command table, the only catch, the exit codes.
 
 #include "cli/commands.h"
-#include "cli/nearest_option.h"
+#include "cli/parse_message.h"
 #include "cli/version.h"
 #include "core/base/error.h"
 
@@ -53,10 +53,8 @@ ExitCode run(int argc, char** argv) {
   } catch (const CLI::Success& help_or_version) {
     app.exit(help_or_version);
     return ExitCode::ok;
-  } catch (const CLI::ExtrasError&) {
-    return fail(ExitCode::usage, unknown_argument_message(app));
   } catch (const CLI::ParseError& parse_error) {
-    return fail(ExitCode::usage, fmt::format("{}; see 'hybridrt --help'", parse_error.what()));
+    return fail(ExitCode::usage, parse_message(app, parse_error));
   } catch (const Error& wrong_world) {
     return fail(exit_code_of(wrong_world.kind()), wrong_world.what());
   } catch (const std::bad_alloc&) {

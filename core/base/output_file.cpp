@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <fcntl.h>
+#include <sys/sendfile.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -37,7 +38,7 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
     fs::create_directories(target_.parent_path(), problem);
     if (problem) fail("make its folder", problem.value());
     temporary_ = temporary_beside(target_);
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   }
   if (descriptor_ < 0) {
     temporary_.clear();
@@ -75,6 +76,18 @@ void OutputFile::commit() {
   sync_folder();
 }
 
+void OutputFile::checkpoint() {
+  if (temporary_.empty()) return;
+  flush();
+  OutputFile copy(path_);
+  for (off_t at = 0; static_cast<uint64_t>(at) < written_;) {
+    const ssize_t count = ::sendfile(copy.descriptor_, descriptor_, &at, written_ - static_cast<uint64_t>(at));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) fail("copy", count < 0 ? errno : EIO);
+  }
+  copy.commit();
+}
+
 /// Without this the rename itself may be lost with the power. Some file systems refuse it for folders, and
 /// some folders may be written but not read.
 void OutputFile::sync_folder() {
@@ -89,6 +102,12 @@ void OutputFile::sync_folder() {
 void OutputFile::fail(const char* step, int reason) const {
   throw error(ErrorKind::output, "cannot write {}: {}: {}; check the folder, its permissions and its free space",
               path_.string(), step, std::generic_category().message(reason));
+}
+
+void require_writable(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status there = fs::status(path, ignored);
+  if (!fs::exists(there) || fs::is_regular_file(there) || fs::is_directory(there)) OutputFile tried(path);
 }
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {

@@ -33,6 +33,8 @@ class OutputFile {
   }
   /// Makes the file appear.
   void commit();
+  /// Makes what was written so far appear, whole, and goes on; costs a copy of it. Devices and pipes: nothing.
+  void checkpoint();
   uint64_t bytes() const { return written_ + buffer_.size(); }
 
  private:
@@ -49,6 +51,9 @@ class OutputFile {
   std::string buffer_;
   uint64_t written_ = 0;
 };
+
+/// Throws what OutputFile would; leaves nothing but the folder. Devices and pipes are not tried.
+void require_writable(const std::filesystem::path& path);
 
 /// The whole file at once.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);

@@ -46,14 +46,22 @@ std::optional<Placeholder> next_placeholder(const std::string& text, size_t from
   return std::nullopt;
 }
 
-std::string expand(const std::string& text, int64_t frame, bool hashes_count) {
+/// `text` with `number(digits)` for each placeholder.
+template <typename Number>
+std::string expand(const std::string& text, bool hashes_count, const Number& number) {
   std::string result;
   size_t at = 0;
   while (const auto found = next_placeholder(text, at, hashes_count)) {
-    result += text.substr(at, found->begin - at) + fmt::format("{:0{}d}", frame, found->digits);
+    result += text.substr(at, found->begin - at) + number(found->digits);
     at = found->begin + found->length;
   }
   return result + text.substr(at);
+}
+
+/// How much of pattern.folder is the same for all frames: up to and with a '/', or nothing.
+size_t common_length(const OutputPattern& pattern) {
+  const auto varies = next_placeholder(pattern.folder, 0, false);
+  return varies ? pattern.folder.rfind('/', varies->begin) + 1 : pattern.folder.size();  // npos + 1 is 0
 }
 
 size_t extension_begin(const std::string& name) {
@@ -90,7 +98,19 @@ OutputPattern parse_output_pattern(const std::string& text, bool several_frames)
 
 std::filesystem::path output_path(const OutputPattern& pattern, int64_t frame, std::string_view aov) {
   const std::string name = aov.empty() ? pattern.name : with_aov(pattern.name, aov);
-  return expand(pattern.folder, frame, false) + expand(name, frame, true);
+  const auto number = [frame](int digits) { return fmt::format("{:0{}d}", frame, digits); };
+  return expand(pattern.folder, false, number) + expand(name, true, number);
+}
+
+std::filesystem::path common_folder(const OutputPattern& pattern) {
+  const std::filesystem::path folder = pattern.folder.substr(0, common_length(pattern));
+  if (folder.empty()) return ".";
+  return folder.has_relative_path() ? folder.parent_path() : folder;  // without the '/' at its end
+}
+
+std::string name_below(const OutputPattern& pattern) {
+  const auto number = [](int) { return "#"; };
+  return expand(pattern.folder.substr(common_length(pattern)), false, number) + expand(pattern.name, true, number);
 }
 
 }  // namespace hybridrt

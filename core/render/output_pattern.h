@@ -20,6 +20,13 @@ struct OutputPattern {
 /// the above.
 OutputPattern parse_output_pattern(const std::string& text, bool several_frames);
 
+/// The deepest folder that holds all frames, "." for the working directory: `q` of `q/{frame}/a.png`.
+std::filesystem::path common_folder(const OutputPattern& pattern);
+
+/// What stands below it, with '#' for each frame number, however many digits it has; equal for patterns that may give
+/// the same paths: `#/a.png`.
+std::string name_below(const OutputPattern& pattern);
+
 /// The path of one frame, or of one of its AOVs, whose name goes before the frame number, or before the
 /// extension where the name has none: `name.####.png` -> `name.depth.0007.png`.
 std::filesystem::path output_path(const OutputPattern& pattern, int64_t frame, std::string_view aov = {});

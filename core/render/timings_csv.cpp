@@ -3,6 +3,21 @@
 #include <fmt/format.h>
 
 namespace hybridrt {
+namespace {
+
+constexpr int kCheckpointSpacing = 50;  // times what the last one took
+
+std::string line_of(int frame, double write_ms, FrameTimings timings, const TraceStats& s) {
+  timings[PassId::write] = write_ms;
+  std::string line = fmt::format("{}", frame);
+  for (double ms : timings.pass_ms) line += fmt::format(",{:.3f}", ms);
+  line += fmt::format(",{:.3f},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", timings.wall_ms, s.pixels_hit,
+                      s.pixels_marked, s.pixels_reflective, s.pixels_refractive, s.shadow_rays, s.reflection_rays,
+                      s.refraction_rays, s.shadow_cpu_ms, s.secondary_cpu_ms, s.primary_shadow_rays);
+  return line;
+}
+
+}  // namespace
 
 TimingsCsv::TimingsCsv(const std::string& path) : file_(path == "-" ? "/dev/stdout" : path) {
   std::string header = "frame";
@@ -13,45 +28,54 @@ TimingsCsv::TimingsCsv(const std::string& path) : file_(path == "-" ? "/dev/stdo
 }
 
 void TimingsCsv::add(const Frame& frame, int files) {
-  std::lock_guard lock(mutex_);
-  rows_[delivered_] = {frame.number, Row{files, 0, frame.timings, frame.stats}};
-  order_of_frame_[frame.number] = delivered_++;
-  write_complete_rows();
+  {
+    std::lock_guard lock(mutex_);
+    rows_[delivered_] = {frame.number, Row{files, 0, frame.timings, frame.stats}};
+    order_of_frame_[frame.number] = delivered_++;
+  }
+  if (files == 0) write_complete_rows();
 }
 
 void TimingsCsv::file_written(int frame, double write_ms) {
-  std::lock_guard lock(mutex_);
-  Row& row = rows_.at(order_of_frame_.at(frame)).second;
-  --row.files_left;
-  row.write_ms += write_ms;
-  written_ms_ += write_ms;
+  {
+    std::lock_guard lock(mutex_);
+    Row& row = rows_.at(order_of_frame_.at(frame)).second;
+    --row.files_left;
+    row.write_ms += write_ms;
+    written_ms_ += write_ms;
+  }
   write_complete_rows();
 }
 
 void TimingsCsv::write_complete_rows() {
+  using Clock = std::chrono::steady_clock;
+  std::lock_guard lock(file_mutex_);
+  const std::string rows = take_complete_rows();
+  if (rows.empty()) return;
+  file_.write(rows);
+  const Clock::time_point start = Clock::now();
+  if (start < next_checkpoint_) return;
+  file_.checkpoint();
+  // A copy costs more the longer the file is: seldomer then, so that a million rows are not copied a million times.
+  const Clock::time_point end = Clock::now();
+  next_checkpoint_ = end + kCheckpointSpacing * (end - start);
+}
+
+std::string TimingsCsv::take_complete_rows() {
+  std::lock_guard lock(mutex_);
+  std::string lines;
   while (!rows_.empty() && rows_.begin()->second.second.files_left == 0) {
     const auto& [frame, row] = rows_.begin()->second;
-    write_row(frame, row);
+    lines += line_of(frame, row.write_ms, row.timings, row.stats);
     order_of_frame_.erase(frame);
     rows_.erase(rows_.begin());
   }
-}
-
-void TimingsCsv::write_row(int frame, const Row& row) {
-  FrameTimings timings = row.timings;
-  timings[PassId::write] = row.write_ms;
-  const TraceStats& s = row.stats;
-  std::string line = fmt::format("{}", frame);
-  for (double ms : timings.pass_ms) line += fmt::format(",{:.3f}", ms);
-  line += fmt::format(",{:.3f},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", timings.wall_ms, s.pixels_hit,
-                      s.pixels_marked, s.pixels_reflective, s.pixels_refractive, s.shadow_rays, s.reflection_rays,
-                      s.refraction_rays, s.shadow_cpu_ms, s.secondary_cpu_ms, s.primary_shadow_rays);
-  file_.write(line);
+  return lines;
 }
 
 void TimingsCsv::finish() {
-  std::lock_guard lock(mutex_);
   write_complete_rows();
+  std::lock_guard lock(file_mutex_);
   file_.commit();
 }
 

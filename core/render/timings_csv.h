@@ -3,6 +3,7 @@
 #include "core/base/output_file.h"
 #include "core/render/frame.h"
 
+#include <chrono>
 #include <map>
 #include <mutex>
 #include <string>
@@ -10,7 +11,9 @@
 namespace hybridrt {
 
 /// The timings CSV: one row a frame, in the order of delivery, each held back until the frame's files are
-/// written and its write_ms is known. The file appears in finish(), whole. Thread-safe.
+/// written and its write_ms is known. Under its final name the file is whole at any moment, for a run may be killed:
+/// it appears with the first row and is replaced by a longer one now and then, such that this takes at most 2 % of the
+/// time (a killed run may lack the rows since the last one); finish() makes it complete. Thread-safe; add() waits for no disk.
 class TimingsCsv {
  public:
   /// "-" is standard output. Throws Error(output) when the file cannot be made.
@@ -23,7 +26,7 @@ class TimingsCsv {
   /// Sum of all write_ms so far.
   double written_ms() const { return written_ms_; }
 
-  /// Makes the file appear. Throws Error(output).
+  /// Makes the file complete. Throws Error(output).
   void finish();
 
  private:
@@ -34,10 +37,13 @@ class TimingsCsv {
     TraceStats stats;
   };
   void write_complete_rows();
-  void write_row(int frame, const Row& row);
+  std::string take_complete_rows();
 
-  std::mutex mutex_;
+  std::mutex file_mutex_;  ///< taken before mutex_ where both are
   OutputFile file_;
+  std::chrono::steady_clock::time_point next_checkpoint_{};
+
+  std::mutex mutex_;  ///< of what follows
   std::map<int64_t, std::pair<int, Row>> rows_;  ///< by order of delivery: frame and row
   std::map<int, int64_t> order_of_frame_;
   int64_t delivered_ = 0;

@@ -171,7 +171,7 @@ void require_faces(const MeshData& mesh) {
     throw error(ErrorKind::input, "{} has no faces ({} vertices): nothing to draw; is it a mesh file?",
                 mesh.path.string(), mesh.positions.size());
   if (mesh.triangle_positions.empty())
-    throw error(ErrorKind::input, "{}: none of its {} faces has three corners: nothing to draw",
+    throw error(ErrorKind::input, "{}: none of its {} faces has three corners: nothing to draw; are they lines?",
                 mesh.path.string(), mesh.faces);
 }
 
@@ -221,7 +221,7 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
     mesh.positions = {};
     leave_out_degenerate(mesh, own, pool, warnings);
     if (mesh.triangle_positions.empty())
-      throw error(ErrorKind::input, "{}: all of its faces have zero area: nothing to draw",
+      throw error(ErrorKind::input, "{}: all of its faces have zero area: nothing to draw; is it flattened?",
                   mesh.path.string());
     take_triangles(mesh, first, scene);
     take_normals(mesh, scene, warnings);

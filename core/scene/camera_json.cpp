@@ -41,7 +41,7 @@ CameraPath parse_keyframes(const JsonPlace& keyframes, const CameraFileContext& 
     if (!(std::abs(key.frame) < kLargestFrame)) place.at("frame").fail("must be below 1e15");
     if (!path.keys.empty() && !(key.frame > path.keys.back().frame))
       place.fail(key.frame == path.keys.back().frame
-                     ? fmt::format("frame {:g} is there twice", key.frame)
+                     ? fmt::format("frame {:g} is there twice; leave one key", key.frame)
                      : fmt::format("frame {:g} comes after frame {:g}; put the keys in order", key.frame,
                                    path.keys.back().frame));
     key.camera = parse_view(place, context);

@@ -29,11 +29,13 @@ Position position_of(std::string_view text, size_t byte) {
   return position;
 }
 
-/// The library's message without its own numbering of places: what stands after "column N: ".
+/// The library's message without its own numbers: what stands after "column N: ", or else after "[…] ".
 std::string_view reason(std::string_view message) {
   const size_t column = message.find("column ");
   const size_t colon = column == message.npos ? message.npos : message.find(": ", column);
-  return colon == message.npos ? message : message.substr(colon + 2);
+  if (colon != message.npos) return message.substr(colon + 2);
+  const size_t bracket = message.find("] ");
+  return bracket == message.npos ? message : message.substr(bracket + 2);
 }
 
 }  // namespace
@@ -43,7 +45,9 @@ json read_json_file(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, ignored))
     throw error(ErrorKind::input, "{} is a directory; name the JSON file in it", path.string());
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw error(ErrorKind::input, "{} cannot be opened: {}", path.string(), std::strerror(errno));
+  if (!file)
+    throw error(ErrorKind::input, "{} cannot be opened: {}; check its name and permissions", path.string(),
+                std::strerror(errno));
   std::string text(size_t{1} << 16, '\0');
   size_t have = 0;
   for (; have <= kLargestJson; text.resize(std::max(text.size(), 2 * have))) {
@@ -61,10 +65,11 @@ json read_json_file(const std::filesystem::path& path) {
     return json::parse(text);
   } catch (const json::parse_error& problem) {
     const Position at = position_of(text, problem.byte);
-    throw error(ErrorKind::input, "{}:{}:{}: not JSON: {}", path.string(), at.line, at.column,
+    throw error(ErrorKind::input, "{}:{}:{}: not JSON: {}; mend the text there", path.string(), at.line, at.column,
                 in_quotes(reason(problem.what())));
   } catch (const json::exception& problem) {  // a number beyond double's range
-    throw error(ErrorKind::input, "{}: {}", path.string(), in_quotes(problem.what()));
+    throw error(ErrorKind::input, "{}: a number is too large: {}; write a smaller one", path.string(),
+                in_quotes(reason(problem.what())));
   }
 }
 
@@ -92,7 +97,7 @@ bool JsonPlace::has(const char* key) const {
 }
 
 JsonPlace JsonPlace::at(const char* key) const {
-  if (!has(key)) fail(fmt::format("'{}' is missing", key));
+  if (!has(key)) fail(fmt::format("'{}' is missing; add it here", key));
   const bool top = where_.find(": ") == where_.npos;
   return {value_->at(key), where_ + (top ? ": " : ".") + key};
 }

@@ -18,6 +18,9 @@ constexpr std::array<std::string_view, 18> kIgnored = {
     "g",  "o",      "s",      "p",        "l",        "vp",         "lod",       "mg", "bevel",
     "vw", "usemap", "maplib", "c_interp", "d_interp", "shadow_obj", "trace_obj", "t",  "end"};
 
+// What to do about a line that cannot be meant.
+constexpr const char* kMend = "mend that line or export the mesh again";
+
 /// Reads an optionally signed integer; it saturates far outside of what an int holds. Null without digits.
 const char* scan_index(const char* p, const char* end, int64_t& index) {
   const bool negative = p != end && *p == '-';
@@ -79,9 +82,10 @@ class ChunkReader {
         fail("vertex {} ends before its {} coordinate; is the file cut short?", vertices() + 1, "xyz"[axis]);
       const std::optional<double> number = parse_number(word);
       if (!number)
-        fail("vertex {}: its {} coordinate {} is not a usable number", vertices() + 1, "xyz"[axis], in_quotes(word));
+        fail("vertex {}: its {} coordinate {} is not a usable number; {}", vertices() + 1, "xyz"[axis], in_quotes(word),
+             kMend);
       if (!(std::abs(*number) < kLargestCoordinate))
-        fail("vertex {}: its {} coordinate is not below 1e30", vertices() + 1, "xyz"[axis]);
+        fail("vertex {}: its {} coordinate is not below 1e30; scale the mesh", vertices() + 1, "xyz"[axis]);
       p[axis] = *number;
     }
     chunk_.data.positions.push_back(p);
@@ -151,8 +155,8 @@ class ChunkReader {
 
     const auto count = static_cast<int64_t>(vertices());
     if (index == 0 || index < -count || index > std::numeric_limits<int32_t>::max())
-      fail("face {}, corner {}: there is no vertex {} ({} vertices so far, counted from 1)", face(),
-           corners_.size() + 1, in_quotes({start, static_cast<size_t>(p - start)}), count);
+      fail("face {}, corner {}: there is no vertex {} ({} so far, counted from 1); {}", face(), corners_.size() + 1,
+           in_quotes({start, static_cast<size_t>(p - start)}), count, kMend);
     if (index > count && index > chunk_.farthest.index)
       chunk_.farthest = {static_cast<int32_t>(index), static_cast<uint32_t>(line())};
     ObjChunk::Corner corner{resolved(index, vertices()), kNoIndex};
@@ -193,8 +197,9 @@ class ChunkReader {
   [[noreturn]] void fail_corner(const char* p, const char* end) const {
     std::string_view rest(p, static_cast<size_t>(end - p));
     const std::string word = in_quotes(take_word(rest));
-    if (p != end && *p == '/') fail("face {}, corner {}: {} has no vertex index", face(), corners_.size() + 1, word);
-    fail("face {}, corner {}: {} is not of the form v, v/vt, v//vn or v/vt/vn", face(), corners_.size() + 1, word);
+    if (p != end && *p == '/') fail("face {}, corner {}: {} has no vertex index; {}", face(), corners_.size() + 1, word, kMend);
+    fail("face {}, corner {}: {} is not of the form v, v/vt, v//vn or v/vt/vn; {}", face(), corners_.size() + 1, word,
+         kMend);
   }
 
   const std::filesystem::path& path_;

@@ -188,7 +188,7 @@ void Joined::append(std::vector<ObjChunk>& chunks, ThreadPool& pool) {
 MeshData Joined::finish(const ObjCounts& counts, Warnings& warnings) {
   const std::filesystem::path& path = data_.path;
   if (farthest_.index > static_cast<int64_t>(counts.vertices))
-    throw error(ErrorKind::input, "{}:{}: a face uses vertex {}, but the file has {} vertices", path.string(),
+    throw error(ErrorKind::input, "{}:{}: a face uses vertex {}, but the file has {} vertices; is it cut short?", path.string(),
                 farthest_.line, farthest_.index, counts.vertices);
   for (const ObjChunk::Ahead& ahead : texcoords_ahead_)
     if (ahead.index > static_cast<int64_t>(counts.texcoords)) bad_texcoords_.add(ahead.line);

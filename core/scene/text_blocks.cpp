@@ -45,7 +45,9 @@ TextBlocks::TextBlocks(const std::filesystem::path& path, LineJoin join)
   if (std::filesystem::is_directory(path, ignored))
     throw error(ErrorKind::input, "{} is a directory; name the file in it", path.string());
   file_.reset(std::fopen(path.c_str(), "rb"));
-  if (!file_) throw error(ErrorKind::input, "{} cannot be opened: {}", path.string(), std::strerror(errno));
+  if (!file_)
+    throw error(ErrorKind::input, "{} cannot be opened: {}; check its name and permissions", path.string(),
+                std::strerror(errno));
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // we read whole blocks
   const uintmax_t file_bytes = std::filesystem::file_size(path, ignored);
   if (!ignored) most_at_first_ = std::max<uintmax_t>(file_bytes + 1, 4096);  // a pipe says nothing

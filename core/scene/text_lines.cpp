@@ -58,7 +58,7 @@ bool LineScanner::next_part(std::string_view& part) {
     throw error(ErrorKind::input, "{}:{}: a line longer than {} MiB; is this a text file?", path_->string(), parts_,
                 kLongestLine >> 20);
   if (nul_ < part.data() + part.size())
-    throw error(ErrorKind::input, "{}:{}: a NUL byte: this is a binary file or UTF-16; OBJ and MTL are UTF-8 text",
+    throw error(ErrorKind::input, "{}:{}: a NUL byte: this is a binary file or UTF-16; save it as UTF-8 text",
                 path_->string(), parts_);
   return true;
 }

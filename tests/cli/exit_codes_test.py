@@ -50,6 +50,7 @@ class CommandLineTest(CliTestCase):
         self.refuse("--light", "0,0,0", says="--light")
         self.refuse("--eye", "1,1,1", "--up", "0,0,0", says="--up")
         self.refuse("--target", "1,1,1", says="--eye")
+        self.refuse("--camera", "c.json", "--eye", "1,1,1", says="--camera and --eye")
         self.refuse("--eye", "1,1,1", "--target", "1,1,1", says=("--eye", "--target", "same point"))
 
     def test_up_along_the_view_is_a_warning(self):
@@ -79,6 +80,15 @@ class CommandLineTest(CliTestCase):
         self.fail_with(2, "render", says="scene")
         self.fail_with(2, "doctor", "--jsno", says="--json")
         self.fail_with(2, "scene", "sphere", "-o", "x.obj", says=("sphere", "spheres"))
+
+    def test_options_given_twice_or_without_a_value(self):
+        self.refuse("--size", "8x8", "--size=9x9", says="--size is given 2 times (8x8, 9x9); give it once")
+        self.refuse("--method", "raster", "--method", "raster", "--method", "hybrid", says="--method is given 3 times")
+        self.refuse("-o", "a.png", "--output", "b.png", says="--output is given 2 times (a.png, b.png); give it once")
+        self.refuse("--size", says="--size has no value; write --size WxH")
+        self.refuse("--threads", "many", says="--threads many: that cannot be read; write --threads N")
+        self.fail_with(2, "golden", "check", "--list", "a", "--list", "b", says="--list is given 2 times (a, b)")
+        self.succeed("render", SCENE, *SMALL, "-q", "-q", "-o", "flags may be repeated.png")
 
     def test_formats_are_refused_before_rendering(self):
         for name in ("x.xyz", "x.null", "noextension", "x."):
@@ -158,8 +168,11 @@ class SystemTest(CliTestCase):
         self.write("file", "keep me")
         self.refuse("-o", "file/x.png", says="file")
         self.refuse("-o", "x.png", "--timings", "file/t.csv", says="file/t.csv")
-        self.refuse("-o", "x.png", "--contact-sheet", "file/s.png", says="file")
+        self.refuse("-o", "x.png", "--contact-sheet", "file/s.png", says="file/s.png")
+        os.mkdir(self.path("folder.png"))
+        self.refuse("-o", "x.png", "--contact-sheet", "folder.png", says="folder.png")
         self.assertEqual(self.read("file"), b"keep me")
+        self.assertEqual(self.files(), ["file"], "refused before rendering")
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
     def test_full_disk(self):

@@ -105,10 +105,18 @@ class GoldenTest(CliTestCase):
         self.assertIn("1 of 1", self.check(0, "small").stdout)
 
     def test_bad_options_of_a_case(self):
-        self.write_list(options=["--frames", "1-3", *SMALL])
-        self.assertIn("3 frames", self.check(6).stdout)
-        self.write_list(options=["--no-such-option"])
-        self.assertIn("no-such-option", self.check(6).stdout)
+        for options, says in ((["--frames", "1-3"], "3 frames; say which one"),
+                              (["--no-such-option"], "--no-such-option"), (["--fov", "0"], "--fov 0"),
+                              (["--size", "8x8", "--size", "9x9"], "--size is given 2 times"),
+                              (["--threads", "x"], "--threads x"), (["--method", "magic"], "--method magic"),
+                              (["--size"], "--size has no value"), (["--help"], "--help"),
+                              (["--camera", "gone.json"], "gone.json cannot be opened")):
+            self.write_list(options=options)
+            for action in (("check", "-o", "report"), ("update",)):
+                with self.subTest(options, action=action[0]):
+                    self.fail_with(3, "golden", *action, "--list", "list.json", says=("golden case 'small': ", says))
+        self.write_list(scene="gone.obj")
+        self.fail_with(3, "golden", "check", "--list", "list.json", says=("golden case 'small': ", "gone.obj"))
 
     def test_update_replaces_only_what_is_named(self):
         other = dict(self.case, name="other")

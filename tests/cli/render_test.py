@@ -98,7 +98,9 @@ class RenderTest(CliTestCase):
         self.render("--frames", "7-7", "-o", "a{frame:06}b.png")
         self.assertIn("a000007b.png", self.files())
         self.render("--frames", "2", "-o", "shots/{frame}/p.png")
-        self.assertTrue({"shots/1/p.png", "shots/2/p.png"} <= set(self.files()))
+        self.assertEqual(self.files("shots"), ["1/p.png", "2/p.png", "run.json", "timings.csv"])
+        self.render("--frames", "3-3", "-o", "shots/{frame}/q.png")
+        self.assertEqual(self.files("shots"), ["1/p.png", "2/p.png", "3/q.png", "run.json", "timings.csv"])
 
     def test_contact_sheet(self):
         self.render("--frames", "5", "--contact-sheet", "sheet.png")

@@ -186,22 +186,6 @@ class SceneInputTest(unittest.TestCase):
                            0.02 * 3 * width * height, "without it the light stays in the world")
         self.assertIn("--light-follows sun", self.render("pyramid.obj", "x.png", "--light-follows", "sun", code=2))
 
-    def test_camera_faults(self):
-        def fault(keys):
-            return self.render("pyramid.obj", "x.png", "--camera", self.write_json("bad.json", {"keyframes": keys}), code=3)
-        self.assertIn("gone.json cannot be opened", self.render("pyramid.obj", "x.png", "--camera", "gone.json", code=3))
-        self.assertIn("no keys", fault([]))
-        self.assertIn("eye and target are the same point", fault([self.key(1, [0, 0.5, 0])]))
-        self.assertIn("fov_y_deg", fault([self.key(1, [0, 0, 1], fov_y_deg=0)]))
-        self.assertIn("fov_y_deg", fault([self.key(1, [0, 0, 1], fov_y_deg=180)]))
-        self.assertIn("frame 3 is there twice", fault([self.key(3, [0, 0, 1]), self.key(3, [0, 1, 1])]))
-        self.assertIn("put the keys in order", fault([self.key(3, [0, 0, 1]), self.key(2, [0, 1, 1])]))
-        self.assertIn("--camera and --eye", self.render("pyramid.obj", "x.png", "--camera", "c.json", "--eye", "1,1,1", code=2))
-        self.write_json("up.json", {"keyframes": [{"frame": 1, "eye": [0, 7, 0], "target": [0, 0, 0]}]})
-        self.assertIn("look along their up direction", self.render("pyramid.obj", "up.png", "--camera", "up.json"))
-        self.assertIn("looks along its up direction",
-                      self.render("pyramid.obj", "up.png", "--eye", "0,7,0", "--target", "0,0,0"))
-
     def cut(self, name, x, y, width, height):
         return width, height, [row[3 * x:3 * (x + width)] for row in self.pixels(name)[2][y:y + height]]
 

@@ -57,9 +57,12 @@ class StoppingTest(CliTestCase):
 
     def test_a_second_signal_ends_at_once(self):
         # A picture so large that finishing it takes far longer than ending.
-        process = self.start("render", "scene:spheres,triangles=200000", "--size", "4000x3000", "--method",
+        process = self.start("render", "scene:spheres,triangles=200000", "--size", "8000x6000", "--method",
                              "reference", "-o", "big.png", "-q")
-        time.sleep(2)
+        deadline = time.monotonic() + 60
+        while not [name for name in self.files() if name.startswith(".timings")]:  # it is about to render
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
         process.send_signal(signal.SIGINT)
         time.sleep(0.2)
         process.send_signal(signal.SIGINT)
@@ -74,11 +77,31 @@ class StoppingTest(CliTestCase):
             process.kill()
             process.communicate(timeout=60)
             for name in self.files():
-                if not name.startswith("."):
+                if not name.startswith(".") and name != "timings.csv":
                     self.assertTrue(name.endswith(".png"), f"{name} is no whole file")
                     Png.read(self.path(name))
             for name in self.files():
                 os.remove(self.path(name))
+
+    def test_killed_the_csv_has_whole_rows_of_finished_frames(self):
+        process = self.start_long()
+        deadline = time.monotonic() + 60
+        rows = []
+        while len(rows) < 5:
+            self.assertIsNone(process.poll(), "it ended by itself")
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+            rows = self.read("timings.csv").decode().splitlines()[1:] if "timings.csv" in self.files() else []
+        process.kill()
+        process.communicate(timeout=60)
+        text = self.read("timings.csv").decode()
+        lines = text.splitlines()
+        self.assertGreater(len(lines), 5)
+        self.assertTrue(text.endswith("\n"))
+        self.assertEqual({line.count(",") for line in lines}, {lines[0].count(",")})
+        frames = [int(line.split(",")[0]) for line in lines[1:]]
+        self.assertEqual(frames, list(range(1, len(frames) + 1)))
+        self.assertTrue({f"x.{frame:04}.png" for frame in frames} <= set(self.files()))
 
     # 10^9 frames cost no more memory than a few: held to what fifty frames used.
     def test_memory_does_not_grow_with_the_sequence(self):

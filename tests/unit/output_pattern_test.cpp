@@ -49,6 +49,20 @@ INSTANTIATE_TEST_SUITE_P(
                     PatternCase{"f{frame:03}/a.png", true, 4, "id", "f004/a.id.png"},
                     PatternCase{"a.{frame:04}.png", true, 4, "id", "a.id.0004.png"}));
 
+TEST(OutputPattern, CommonFolderIsTheDeepestThatDoesNotVary) {
+  struct Case {
+    const char *pattern, *folder, *below;
+  };
+  for (const Case& c : {Case{"a.png", ".", "a.#.png"}, Case{"out/a.##.png", "out", "a.#.png"},
+                        Case{"q/{frame}/a.png", "q", "#/a.png"}, Case{"q/r/x{frame:3}/s/a.####.png", "q/r", "x#/s/a.#.png"},
+                        Case{"{frame}/a.png", ".", "#/a.png"}, Case{"/{frame}/a.png", "/", "#/a.png"},
+                        Case{"/a.{frame}.png", "/", "a.#.png"}, Case{"c#/a.png", "c#", "a.#.png"}}) {
+    const OutputPattern pattern = parse_output_pattern(c.pattern, true);
+    EXPECT_EQ(common_folder(pattern).string(), c.folder) << c.pattern;
+    EXPECT_EQ(name_below(pattern), c.below) << c.pattern;
+  }
+}
+
 TEST(OutputPattern, RefusesWhatNamesNoFile) {
   for (const char* pattern : {"", "out/", "out/..", "{frame:x}.png", "{frame:04", "{frames}.png",
                               "a{frame:}.png", "{frame:123}.png"}) {

@@ -106,17 +106,48 @@ TEST_F(TimingsCsvTest, ARowAppearsOnlyWithItsFiles) {
   EXPECT_EQ(lines().size(), 1u) << "frame 1 is not written, and frame 2 comes after it";
 }
 
-TEST_F(TimingsCsvTest, FinalNameMeansFinished) {
+// A run may be killed before it finishes.
+TEST_F(TimingsCsvTest, TheFirstRowIsThereAtOnce) {
   {
     TimingsCsv csv(path());
-    csv.add(numbered(1), 0);
     EXPECT_FALSE(std::filesystem::exists(path()));
     EXPECT_EQ(folder_.names().size(), 1u) << "it grows under a temporary name";
+    csv.add(numbered(1), 1);
+    EXPECT_FALSE(std::filesystem::exists(path())) << "the frame's file is not written";
+    csv.file_written(1, 1);
+    ASSERT_EQ(lines().size(), 2u);
+    EXPECT_EQ(fields_of(lines()[1]).size(), fields_of(lines()[0]).size());
   }
-  EXPECT_TRUE(folder_.names().empty()) << "the temporary file is left behind";
+  EXPECT_EQ(folder_.names(), std::set<std::string>{"timings.csv"}) << "the temporary file is left behind";
+  EXPECT_EQ(lines().size(), 2u);
+}
+
+TEST_F(TimingsCsvTest, RowsAreWholeWheneverOneLooks) {
   TimingsCsv csv(path());
+  size_t seen = 0, growths = 0;
+  for (int frame = 1; frame <= 3000; ++frame) {
+    csv.add(numbered(frame), 0);
+    if (frame % 10 != 1) continue;
+    const std::string text = file_contents(path());
+    ASSERT_EQ(text.back(), '\n');
+    const std::vector<std::string> now = lines_of(text);
+    ASSERT_EQ(fields_of(now.back()).size(), fields_of(now.front()).size());
+    ASSERT_EQ(fields_of(now.back())[0], std::to_string(now.size() - 1));
+    growths += now.size() > seen;
+    seen = now.size();
+    if (frame % 500 == 1) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_GT(growths, 1u) << "it grows on the way";
   csv.finish();
+  EXPECT_EQ(lines().size(), 3001u);
   EXPECT_EQ(folder_.names(), std::set<std::string>{"timings.csv"});
+}
+
+TEST_F(TimingsCsvTest, ManyRowsTakeNoQuadraticTime) {
+  TimingsCsv csv(path());
+  for (int frame = 1; frame <= 200'000; ++frame) csv.add(numbered(frame), 0);  // copied at each row: an hour
+  csv.finish();
+  EXPECT_GT(std::filesystem::file_size(path()), 10'000'000u);
 }
 
 TEST_F(TimingsCsvTest, AnOlderFileStaysUntilTheNewOneIsWhole) {

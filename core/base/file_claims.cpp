@@ -1,0 +1,117 @@
+#include "core/base/file_claims.h"
+
+#include <cerrno>
+#include <chrono>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <thread>
+#include <unistd.h>
+
+#include "core/base/check.h"
+#include "core/base/error.h"
+
+namespace hybridrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLockName = ".hybridrt.lock";
+constexpr int64_t kStretch = int64_t{1} << 32;  // of bytes for a name: more than frame numbers there are
+
+/// FNV-1a's upper bits: where the bytes of a name begin.
+int64_t start_of(std::string_view name) {
+  uint64_t hash = 14695981039346656037ull;
+  for (unsigned char c : name) hash = (hash ^ c) * 1099511628211ull;
+  return static_cast<int64_t>(hash >> 33) * kStretch;
+}
+
+/// Locks that belong to the open file, not to the process: no other close() in this process drops them.
+struct flock bytes(short type, int64_t start, int64_t length) {
+  struct flock range {};
+  range.l_type = type;
+  range.l_whence = SEEK_SET;
+  range.l_start = start;
+  range.l_len = length;  // 0: to the end of all bytes
+  return range;
+}
+
+enum class Attempt { locked, taken, leaving, impossible };
+
+Attempt try_lock(int descriptor, int64_t start, int64_t length) {
+  struct flock range = bytes(F_WRLCK, start, length);
+  if (::fcntl(descriptor, F_OFD_SETLK, &range) == 0) return Attempt::locked;
+  if (errno != EAGAIN && errno != EACCES) return Attempt::impossible;
+  // A run that ends takes all bytes for a moment, to see whether it is the last one.
+  range = bytes(F_WRLCK, start, length);
+  if (::fcntl(descriptor, F_OFD_GETLK, &range) != 0) return Attempt::taken;
+  const bool all = range.l_start == 0 && range.l_len == 0;
+  return range.l_type == F_UNLCK || all ? Attempt::leaving : Attempt::taken;
+}
+
+/// Whether `path` still names the file that is open: the last run may have removed it in between.
+bool is_at(int descriptor, const fs::path& path) {
+  struct stat open {}, named {};
+  return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
+         open.st_dev == named.st_dev;
+}
+
+fs::path canonical_or_same(const fs::path& path) {
+  std::error_code problem;
+  const fs::path canonical = fs::weakly_canonical(path, problem);
+  return problem || canonical.empty() ? path : canonical;
+}
+
+[[noreturn]] void fail(const fs::path& file, const char* step, int reason) {
+  throw error(ErrorKind::output, "cannot write {}: {}: {}; check the folder and its permissions, or write elsewhere",
+              file.string(), step, std::generic_category().message(reason));
+}
+
+}  // namespace
+
+FileClaims::~FileClaims() {
+  for (const auto& [folder, descriptor] : locks_) {
+    const fs::path path = folder / kLockName;
+    if (try_lock(descriptor, 0, 0) == Attempt::locked && is_at(descriptor, path)) ::unlink(path.c_str());
+    ::close(descriptor);
+  }
+}
+
+FileClaims::Answer FileClaims::claim(const fs::path& file) {
+  std::error_code ignored;
+  const fs::file_status there = fs::status(file, ignored);
+  if (fs::exists(there) && !fs::is_regular_file(there)) return Answer::ours;
+  const fs::path real = canonical_or_same(fs::absolute(file, ignored));
+  return lock(real.parent_path(), start_of(real.filename().string()), kStretch, file);
+}
+
+FileClaims::Answer FileClaims::claim(const fs::path& folder, std::string_view name, int first, int last) {
+  HRT_CHECK(0 <= first && first <= last);
+  return lock(folder, start_of(name) + first, int64_t{last} - first + 1, folder / name);
+}
+
+FileClaims::Answer FileClaims::lock(const fs::path& named, int64_t start, int64_t length, const fs::path& shown) {
+  std::error_code problem;
+  fs::create_directories(named, problem);
+  if (problem) fail(shown, "make its folder", problem.value());
+  const fs::path folder = canonical_or_same(named), path = folder / kLockName;
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    const auto known = locks_.find(folder);
+    const bool is_first = known == locks_.end();
+    const int descriptor =
+        is_first ? ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666) : known->second;
+    if (descriptor < 0) fail(shown, "open .hybridrt.lock beside it", errno);
+    const Attempt got = try_lock(descriptor, start, length);
+    if (got == Attempt::locked && (!is_first || is_at(descriptor, path))) {
+      locks_[folder] = descriptor;
+      return Answer::ours;
+    }
+    if (is_first) ::close(descriptor);
+    if (got == Attempt::taken) return Answer::taken;
+    if (got == Attempt::impossible) return Answer::unknown;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return Answer::taken;
+}
+
+}  // namespace hybridrt

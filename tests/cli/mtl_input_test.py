@@ -1,0 +1,149 @@
+"""What odd and bad MTL files get, through the real binary."""
+
+import os
+import resource
+import struct
+import unittest
+import zlib
+
+from scene_case import SceneCase
+
+# Two panels side by side; 'left' is on line 6, 'right' on line 8.
+PANELS = """v -1 0 0\nv 0 0 0\nv 0 1 0\nv -1 1 0\nv 1 0 0\nv 1 1 0
+usemtl {}\nf 1 2 3 4\nusemtl {}\nf 2 5 6 3\n"""
+FRONT = ("--eye", "0,0.5,3", "--target", "0,0.5,0", "--light", "0,0,1")
+RED, BLUE = "newmtl red\nKd 0.8 0 0\n", "newmtl blue\nKd 0 0 0.8\n"
+
+
+class MtlCase(SceneCase):
+    def panels(self, libraries, left="red", right="blue"):
+        self.write("panels.obj", "".join(f"mtllib {name}\n" for name in libraries) + PANELS.format(left, right))
+        return "panels.obj"
+
+    def setUp(self):
+        super().setUp()
+        self.write("both.mtl", RED + BLUE)
+        self.expected = self.fine(self.panels(["both.mtl"]), *FRONT)
+        self.write("grey.mtl", "newmtl red\nKd 0.8 0.8 0.8\nnewmtl blue\nKd 0.8 0.8 0.8\n")
+        self.default = self.fine(self.panels(["grey.mtl"]), *FRONT)
+        self.assertNotEqual(self.expected, self.default)
+
+    def colours(self, rows):
+        """Of the panels' middles."""
+        return [tuple(rows[12][3 * x:3 * x + 3]) for x in (12, 20)]
+
+
+class LibrariesTest(MtlCase):
+    def test_missing_is_drawn_as_default(self):
+        rows = self.warn(self.panels(["gone.mtl", "lost.mtl"]), "2 material files are missing (first: 'gone.mtl')",
+                         "panels.obj: 4 triangles use materials that no MTL file defines ('red')", options=FRONT)
+        self.assertEqual(rows, self.default)
+
+    def test_unknown_material_is_drawn_as_default(self):
+        rows = self.warn(self.panels(["both.mtl"], right="green"),
+                         "panels.obj: 2 triangles use materials that no MTL file defines ('green')", options=FRONT)
+        self.assertEqual([row[:48] for row in rows], [row[:48] for row in self.expected])
+        self.assertEqual([row[48:] for row in rows], [row[48:] for row in self.default])
+
+    def test_several_are_all_read(self):
+        self.write("r.mtl", RED)
+        self.write("b.mtl", BLUE)
+        for libraries in (["r.mtl b.mtl"], ["r.mtl", "b.mtl"], ["b.mtl  r.mtl", "b.mtl"], ["./r.mtl", "b.mtl"]):
+            self.assertEqual(self.fine(self.panels(libraries), *FRONT), self.expected, libraries)
+
+    def test_names_with_spaces(self):
+        self.write("my own  paints.mtl", RED.replace("red", "dark red  1") + BLUE)
+        rows = self.fine(self.panels(["my own  paints.mtl"], left="dark red  1 "), *FRONT)
+        self.assertEqual(rows, self.expected)
+        self.write("b.mtl", BLUE)
+        self.write("two words.mtl", RED)
+        self.assertEqual(self.fine(self.panels(["b.mtl two words.mtl"]), *FRONT), self.expected)
+
+    def test_line_ends_and_marks(self):
+        for text in ((RED + BLUE).replace("\n", "\r\n"), "\ufeff" + RED + BLUE, (RED + BLUE).rstrip("\n"),
+                     "\t" + RED.replace(" ", "\t ") + "# a comment\n\nunknown 1 2\n" + BLUE):
+            self.write_bytes("same.mtl", text)
+            self.assertEqual(self.fine(self.panels(["same.mtl"]), *FRONT), self.expected, text)
+
+    def test_no_text(self):
+        for data, says in ((b"newmtl red\nKd 1\0", "bad.mtl:2: a NUL byte"), ((RED + BLUE).encode("utf-16"), "UTF-16"),
+                           (b"newmtl red\n" + b"x" * (9 << 20), "bad.mtl:2: a line longer than 8 MiB")):
+            self.write_bytes("bad.mtl", data)
+            self.refuse(self.panels(["bad.mtl"]), says)
+
+
+class NumbersTest(MtlCase):
+    def test_not_a_number(self):
+        for statement, says in (("Kd nan 0 0", "Kd: 'nan'"), ("Kd 0 inf 0", "Kd: 'inf'"), ("Ks 0,5 0 0", "Ks: '0,5'"),
+                                ("Ns 1e39", "Ns: '1e39'"), ("Ni x", "Ni: 'x'"), ("d", "d has no number"),
+                                ("Tf 1 1", "Tf has no number"), ("illum -nan", "illum: '-nan'"),
+                                ("Tr 0x1", "Tr: '0x1'")):
+            with self.subTest(statement):
+                self.write("bad.mtl", RED + statement + "\n" + BLUE)
+                self.refuse(self.panels(["bad.mtl"]), "bad.mtl:3: " + says)
+
+    def test_clamped(self):
+        for ni in ("0", "-1.5"):
+            self.write("odd.mtl", RED + f"illum 4\nNi {ni}\n" + BLUE + f"Ni {ni}\n")
+            self.warn(self.panels(["odd.mtl"]),
+                      "odd.mtl: 2 indices of refraction (Ni) are not above 0 and were set to 1")
+            self.assertEqual([m["ni"] for m in self.report("panels.obj")["materials"]], [1, 1])
+        self.write("odd.mtl", RED + "illum 11\n" + BLUE + "illum -1\n")
+        self.warn(self.panels(["odd.mtl"]), "odd.mtl: 2 illumination models (illum)")
+
+    def test_cut_anywhere(self):
+        text = RED + "Ns 10\nillum 2\n"
+        for size in range(0, len(text), 5):
+            self.write("cut.mtl", text[:size])
+            done = self.run_binary("inspect", self.panels(["cut.mtl"]), "--size", "8x8", "--threads", "1")
+            self.assertIn(done.returncode, (0, 3), (size, done.stderr))
+
+
+class TextureTest(MtlCase):
+    """Warnings that textures as such are left out are none of these tests' business."""
+
+    def told(self, *says, maps):
+        self.write("both.mtl", RED + "".join(f"map_Kd {name}\n" for name in maps) + BLUE)
+        _, lines = self.picture(self.panels(["both.mtl"]), *FRONT)
+        lines = [line for line in lines if "are not read" not in line]
+        self.assertEqual(len(lines), len(says), lines)
+        for line, part in zip(lines, says):
+            self.assertIn(part, line)
+
+    def write_png(self, name, width, height):
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        packer = zlib.compressobj(1)
+        row = bytes(1 + 3 * width)
+        body = b"".join(packer.compress(row) for _ in range(min(height, 64))) + packer.flush()
+        header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+        self.write_bytes(name, b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", body) +
+                         chunk(b"IEND", b""))
+
+    def test_missing(self):
+        self.told("both.mtl: 2 texture files are missing ('a.png') (first at line 3)", maps=["a.png", "-s 2 2 b.png"])
+
+    def test_names_that_lead_elsewhere_are_looked_for_beside_the_mtl(self):
+        self.write_png("wood.png", 2, 2)
+        self.told("both.mtl: 5 texture names lead to other folders",
+                  maps=["/usr/share/wood.png", "../wood.png", "C:\\maps\\wood.png", "E:/x/wood.png",
+                        "maps\\..\\..\\wood.png"])
+        self.told(maps=["wood.png", "./wood.png", ".\\wood.png"])
+
+    def test_never_reads_outside(self):
+        os.mkdir(self.path("outside"))
+        self.write_png("outside/secret.png", 2, 2)
+        self.told("1 texture names lead to other folders", "1 texture files are missing",
+                  maps=[self.path("outside", "secret.png")])
+
+    def test_corrupt_and_huge_take_no_memory(self):
+        self.write_bytes("torn.png", b"\x89PNG\r\n\x1a\n\0\0\0")
+        self.write_png("huge.png", 65535, 65535)
+        self.write("both.mtl", RED + "map_Kd torn.png\n" + BLUE + "map_Kd huge.png\n")
+        _, lines = self.picture(self.panels(["both.mtl"]), *FRONT)
+        self.assertTrue(lines, "a warning at least")
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 500 * 1024, "KiB")
+
+
+if __name__ == "__main__":
+    unittest.main()
