@@ -35,7 +35,6 @@ FENCES = {
     "EGL/": ["core/gl/"],
     "GL/": ["core/gl/"],
     "OpenMesh/": ["core/scene/"],
-    "tiny_obj_loader.h": ["core/scene/"],
     "CLI/": ["cli/"],
     "embree": ["core/trace/", "cli/version.cpp", "tests/bench/"],
     "hwy/": ["core/trace/", "tests/"],
