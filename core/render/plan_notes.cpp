@@ -37,6 +37,12 @@ StepNote readback_note(const FramePlan& plan) {
   return {kStep, Runs::each_frame, fmt::format("{} for {}", what, plan.trace() ? "pass 4" : "--aov")};
 }
 
+StepNote repair_note(const FramePlan& plan) {
+  constexpr std::string_view kStep = "pass 4 primary hits";
+  if (!plan.repair) return left_out(kStep, "the raster's triangles are taken as they are");
+  return {kStep, Runs::each_frame, "where the raster may have snapped a triangle aside"};
+}
+
 StepNote shadow_rays_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 4 shadow rays";
   if (plan.mark) return {kStep, Runs::each_frame, "at the pixels that pass 3 marks"};
@@ -102,6 +108,7 @@ std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& fact
            pixels(s) + (plan.shadow_map ? ", with the shadow test" : "")},
           mark_note(plan, s),
           readback_note(plan),
+          repair_note(plan),
           shadow_rays_note(plan, s),
           scattered_note(plan, facts, s),
           {"pass 5 shading", Runs::each_frame, "once a pixel, from the ids"}};
