@@ -118,10 +118,11 @@ class Lookup {
   }
 
   bool any_of_cell(const ShadowQuery& query, const LightCell* cell) const {
+    const auto shadows = [&](uint32_t triangle) { return triangle != query.triangle && meets(query, triangle); };
     for (uint32_t i = cell->first; i < cell[1].first; ++i)
-      if (meets(query, buffer_.entries[i].triangle)) return true;
+      if (shadows(buffer_.entries[i].triangle)) return true;
     for (uint32_t i = cell->first_other; i < cell[1].first_other; ++i)
-      if (meets(query, buffer_.others[i])) return true;
+      if (shadows(buffer_.others[i])) return true;
     return false;
   }
 
