@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/inspection.h"
+#include "cli/loading_line.h"
 #include "core/scene/topology_warnings.h"
 
 namespace hybridrt::cli {
@@ -12,7 +13,7 @@ namespace {
 ExitCode inspect(const RenderOptions& options, bool as_json) {
   Inspection found;
   found.scene = options.scene;
-  found.job = make_render_job(options, found.warnings);
+  found.job = load_showing_progress(options, found.warnings, as_json);
   const RenderJob& job = found.job;
 
   ThreadPool pool(job.threads);
@@ -24,8 +25,9 @@ ExitCode inspect(const RenderOptions& options, bool as_json) {
   const SceneFacts facts = make_scene_facts(job.scene);
   const int first = *FrameCursor(job.frames).next();
   found.plan = make_frame_plan(job.scene, facts, frame_request(job, first), job.settings);
-  found.steps = explain_plan(found.plan, facts, job.settings, job.accel, light_moves(job.light, job.motion));
-  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel, light_moves(job.light, job.motion));
+  const bool moves = light_moves(job.light, job.motion);
+  found.steps = explain_plan(found.plan, facts, job.settings, job.accel, moves);
+  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel, moves, job.threads, job.frames.count());
 
   using Handler = nlohmann::ordered_json::error_handler_t;
   fmt::print("{}", as_json ? inspection_json(found).dump(2, ' ', false, Handler::replace) + "\n"

@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/loading_line.h"
 #include "cli/progress.h"
 #include "cli/render_output.h"
 #include "cli/run_report.h"
@@ -107,7 +108,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   RunTotals totals;
   const Stopwatch loading;
   const RenderOptions options = with_scene_settings(command_line);
-  const RenderJob job = make_render_job(options, warnings);
+  const RenderJob job = load_showing_progress(options, warnings, output.quiet || output.json);
   warn_of_topology(job, warnings);
   totals.load_ms = loading.elapsed_ms();
   FileClaims claims;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -86,6 +87,8 @@ json inspection_json(const Inspection& in) {
   const Scene& scene = in.job.scene;
   const Topology& t = in.topology;
   const dvec3 lo(scene.bounds.lo), hi(scene.bounds.hi);
+  const bool limited = in.job.most_bytes < std::numeric_limits<uint64_t>::max();
+  const json allowed = limited ? json(in.job.most_bytes) : json();
   return {{"scene", in.scene},
           {"files", scene.files},
           {"triangles", scene.triangle_count()},
@@ -108,8 +111,12 @@ json inspection_json(const Inspection& in) {
            {{"scene", in.memory.scene},
             {"gpu_scene", in.memory.gpu_scene},
             {"gpu_frames", in.memory.gpu_frames},
+            {"frames", in.memory.frames},
+            {"pictures", in.memory.pictures},
             {"accelerator", in.memory.accelerator},
-            {"topology", memory_bytes(t)}}},
+            {"topology", memory_bytes(t)},
+            {"total", in.memory.total()},
+            {"allowed", allowed}}},
           {"frame", frame_json(in)}};
 }
 

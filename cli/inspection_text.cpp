@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <limits>
+
 #include "cli/inspection.h"
+#include "core/base/memory.h"
 
 namespace hybridrt::cli {
 namespace {
 
+constexpr uint64_t kNoLimit = std::numeric_limits<uint64_t>::max();
 constexpr size_t kMostComponents = 5, kMostMaterials = 60, kMostNameBytes = 60;
 
 /// 1234567 as 1,234,567.
@@ -13,11 +17,6 @@ std::string grouped(size_t number) {
   std::string digits = fmt::format("{}", number);
   for (size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ',');
   return digits;
-}
-
-std::string size_text(size_t bytes) {
-  const double mib = static_cast<double>(bytes) / (1 << 20);
-  return mib >= 1024 ? fmt::format("{:.1f} GiB", mib / 1024) : fmt::format("{:.1f} MiB", mib);
 }
 
 template <typename Vector>
@@ -133,7 +132,11 @@ std::string memory_text(const Inspection& in) {
   line("scene", m.scene);
   line("scene on the GPU", m.gpu_scene);
   line("frames on the GPU", m.gpu_frames);
+  line("frames", m.frames);
+  line("pictures to be written", m.pictures);
   line("ray accelerator", m.accelerator);
+  line("in all", m.total());
+  if (in.job.most_bytes < kNoLimit) line("allowed", in.job.most_bytes);
   return out;
 }
 

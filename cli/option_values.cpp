@@ -1,7 +1,11 @@
 #include "cli/option_values.h"
 
+#include "core/base/memory.h"
+
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 namespace hybridrt::cli {
 namespace {
@@ -68,6 +72,24 @@ uint32_t parse_aovs(const std::string& text) {
     begin = end + 1;
   }
   return bits;
+}
+
+uint64_t parse_max_memory(const std::string& text) {
+  if (text.empty()) return allowed_memory();
+  if (text == "none") return std::numeric_limits<uint64_t>::max();
+  constexpr std::string_view kUnits = "KMGT";
+  double bytes = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, status] = std::from_chars(text.data(), end, bytes);
+  std::string_view rest(stop, static_cast<size_t>(end - stop));
+  if (!rest.empty() && kUnits.find(rest.front()) != kUnits.npos) {
+    bytes *= std::exp2(10.0 * static_cast<double>(1 + kUnits.find(rest.front())));
+    rest.remove_prefix(1);
+    if (rest == "B" || rest == "iB") rest = {};
+  }
+  if (status != std::errc() || !rest.empty() || !(bytes >= 1 && bytes < 1e18))
+    throw error(ErrorKind::usage, "--max-memory {}: write a number with K, M, G or T behind it, like 8G, or none", text);
+  return static_cast<uint64_t>(bytes);
 }
 
 void require_range(const char* option, long long value, long long lowest, long long highest) {

@@ -25,6 +25,10 @@ void parse_crop(const std::string& text, RenderSettings& settings);
 /// Names between commas; the bits of kAovId and so on.
 uint32_t parse_aovs(const std::string& text);
 
+/// Bytes: a number and K, M, G or T (of 1024), with or without B or iB behind it. "none" is no limit, nothing what the
+/// machine or its cgroup has.
+uint64_t parse_max_memory(const std::string& text);
+
 void require_range(const char* option, long long value, long long lowest, long long highest);
 
 template <typename Value>

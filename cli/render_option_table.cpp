@@ -57,6 +57,8 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
 
   const char* machine = "Machine";
   app.add_option("--threads", o.threads, "Processors to use (default: all that are allowed)")->type_name("N")->group(machine);
+  app.add_option("--max-memory", o.max_memory, "What needs more is refused, by an estimate: 8G, 500M, none (default: "
+                 "all that the machine or its cgroup has)")->type_name("SIZE")->group(machine);
   app.add_option("--frames-in-flight", o.frames_in_flight, "1: pass after pass; 2 (default): GPU and CPU work on "
                  "neighbouring frames")->type_name("N")->group(machine);
   app.add_option_function("--gl", by_name("--gl", kBindings, o.gl), "auto (default), egl, osmesa")

@@ -3,6 +3,8 @@
 #include "cli/camera_options.h"
 #include "cli/light_options.h"
 #include "cli/option_values.h"
+#include "core/render/memory_estimate.h"
+#include "core/scene/loading_bytes.h"
 #include "core/scene/procedural.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_source.h"
@@ -52,7 +54,7 @@ RenderSettings make_settings(const RenderOptions& o) {
   return s;
 }
 
-RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings) {
+RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings, LoadProgress* progress) {
   const RenderOptions o = with_scene_settings(command_line);
   const SceneDescription scene = is_scene_file(o.scene) ? read_scene_file(o.scene) : SceneDescription();
   const std::optional<UpAxis> up_axis = parse_up_axis(o);
@@ -69,8 +71,14 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings)
   job.gl = {o.gl, o.device, o.require_hardware, 0};
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
 
+  job.most_bytes = parse_max_memory(o.max_memory);
+  require_room_for_frames(job.settings, job.threads, job.frames.count(), job.most_bytes);
+
   ThreadPool pool(job.threads);
-  job.scene = load_scene(o.scene, pool, warnings, up_axis);
+  job.scene = load_scene(o.scene, pool, warnings, up_axis, {job.most_bytes, progress});
+  require_room_for_scene(o.scene, estimate_memory(job.scene, make_scene_facts(job.scene), job.settings, job.accel,
+                                                  /*light_moves=*/true, job.threads, job.frames.count()).total(),
+                         job.most_bytes);
   job.motion.sequence = make_sequence(o, job.frames);
   Surroundings surroundings = Surroundings::outside;
   job.motion.course = make_course(o, job, up, surroundings, pool, warnings);

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
 #include "core/render/render_job.h"
+#include "core/scene/load_watch.h"
 
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct RenderOptions {
   std::string shadows;  ///< empty: the method's default
   int blur_kernel = 5, shadow_map = 2048, reflection_depth = 4;
   std::optional<int> threads;  ///< default: all allowed processors
+  std::string max_memory;      ///< SIZE or "none"; empty: what the machine and the cgroup have
   Accel accel = Accel::embree;
   int frames_in_flight = 2;
   gl::Binding gl = gl::Binding::any;
@@ -51,7 +53,7 @@ RenderSettings make_settings(const RenderOptions& options);
 RenderOptions with_scene_settings(const RenderOptions& options);
 
 /// Reads the scene and turns the options, as with_scene_settings() has them, into a job. Throws Error(usage) for values that cannot be,
-/// Error(input) for the scene.
-RenderJob make_render_job(const RenderOptions& options, Warnings& warnings);
+/// Error(input) for the scene. `progress` is told how far reading it is.
+RenderJob make_render_job(const RenderOptions& options, Warnings& warnings, LoadProgress* progress = nullptr);
 
 }  // namespace hybridrt::cli

@@ -21,12 +21,13 @@ packages=(
   libfmt-dev             # text
   nlohmann-json3-dev     # JSON
   libcli11-dev           # options
-  libtinyobjloader-dev   # OBJ
   libopenimageio-dev     # images
   libembree-dev          # rays
   libhwy-dev             # SIMD
   libgtest-dev           # tests
   libbenchmark-dev       # benchmarks
+  clang                  # fuzzing: libFuzzer is clang's
+  libclang-rt-dev        # fuzzing: its runtime
 )
 
 fail() {

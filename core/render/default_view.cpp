@@ -16,6 +16,7 @@ constexpr double kMostlyBackFaces = 0.6;  // more than this share: a room seen f
 constexpr double kHardlyAnyBackFaces = 0.05;
 constexpr double kMoreInside = 1.3;           // that many times the triangles seen from outside: a building
 constexpr double kClosed = 0.95;              // share of rays from inside that meet a wall
+constexpr double kRoofed = 0.8;               // the same where walls are known to be walls by their back faces
 constexpr int kAzimuths = 16;
 constexpr double kSway_rad = 14 * kPi / 180, kLookInElevation_rad = 4 * kPi / 180;
 
@@ -170,6 +171,12 @@ Seen look_from_all_around(const Scene& scene, const RayCaster<float>& caster, Or
   return all;
 }
 
+/// Whether there is a room around `spot`: foliage shows back faces too, and sky between them.
+bool is_roofed(const Scene& scene, const RayCaster<float>& caster, const vec3& spot) {
+  const Seen seen = look_around(scene, caster, spot, sphere_directions(500));
+  return seen.hits >= kRoofed * seen.rays;
+}
+
 /// Whether `spot` sees walls wherever it looks, and more of the scene than is seen from outside, by the
 /// same number of rays.
 bool inside_shows_more(const Scene& scene, const RayCaster<float>& caster, const vec3& spot, const Seen& outside) {
@@ -187,7 +194,7 @@ DefaultView choose_default_view(const Scene& scene, const RayCaster<float>& cast
   if (walls)
     if (const auto orbit = look_in(scene, caster, around, aspect)) return {Surroundings::open, *orbit};
   const std::optional<vec3> spot = roomiest_point(scene, caster);
-  if (spot && (walls || inside_shows_more(scene, caster, *spot, outside)))
+  if (spot && (walls ? is_roofed(scene, caster, *spot) : inside_shows_more(scene, caster, *spot, outside)))
     return {Surroundings::inside, stand_at(scene, caster, *spot, fov_y_rad)};
   return {Surroundings::outside, around};
 }

@@ -1,5 +1,10 @@
 #include "core/render/memory_estimate.h"
 
+#include <algorithm>
+#include <bit>
+
+#include "core/base/error.h"
+#include "core/base/memory.h"
 #include "core/render/gl_renderer.h"
 #include "shaders/shared.h"
 
@@ -20,9 +25,16 @@ size_t geometry_bytes(const Scene& scene) {
          bytes_of(scene.triangle_normals) + bytes_of(scene.triangle_materials);
 }
 
+size_t rendered_pixels(const RenderSettings& s) {
+  const PixelRect part = rendered_rect(s);
+  return static_cast<size_t>(part.width_px) * part.height_px;
+}
+
+bool uses_gl(const RenderSettings& s) { return s.method == Method::hybrid || s.method == Method::raster; }
+
 /// The formats are those of GlRenderer and FrameSlot.
-size_t frame_bytes(const RenderSettings& s) {
-  const size_t pixels = static_cast<size_t>(s.width_px) * s.height_px;
+size_t gpu_frame_bytes(const RenderSettings& s) {
+  const size_t pixels = rendered_pixels(s);
   const size_t depth = 4, picture = 16 + 16;  // and its readback
   const size_t slot = (4 + 1) * 2 + 1 + 16;   // ids and mask with their readbacks, lit, traced
   size_t bytes = pixels * (depth + picture + s.frames_in_flight * slot);
@@ -32,16 +44,37 @@ size_t frame_bytes(const RenderSettings& s) {
   return bytes;
 }
 
+/// What pass 4 writes in each slot; or the whole frame of render_on_cpu.
+size_t cpu_frame_bytes(const RenderSettings& s) {
+  const size_t lit = 1, traced = 16, ids = 4;
+  return rendered_pixels(s) * (uses_gl(s) ? s.frames_in_flight * (lit + traced) : traced + ids + lit);
+}
+
+/// FileSink's: two waiting and one in work a thread, beside the frame at hand. Three floats a pixel, and as many for
+/// an AOV at most.
+size_t picture_bytes(const RenderSettings& s, int threads, int64_t frame_count) {
+  const PixelRect rect = picture_rect(s);
+  const auto held = static_cast<size_t>(std::min<int64_t>(frame_count, 3 * int64_t{threads} + 1));
+  const size_t layers = 1 + static_cast<size_t>(std::popcount(s.aovs));
+  return held * layers * 12 * static_cast<size_t>(rect.width_px) * rect.height_px;
+}
+
 }  // namespace
 
-MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const RenderSettings& s,
-                               Accel accel, bool light_moves) {
+MemoryEstimate estimate_frame_memory(const RenderSettings& s, int threads, int64_t frame_count) {
   MemoryEstimate estimate;
+  if (uses_gl(s)) estimate.gpu_frames = gpu_frame_bytes(s);
+  estimate.frames = cpu_frame_bytes(s);
+  estimate.pictures = picture_bytes(s, threads, frame_count);
+  return estimate;
+}
+
+MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const RenderSettings& s, Accel accel,
+                               bool light_moves, int threads, int64_t frame_count) {
+  MemoryEstimate estimate = estimate_frame_memory(s, threads, frame_count);
   estimate.scene = geometry_bytes(scene) + bytes_of(scene.materials);
-  if (s.method == Method::hybrid || s.method == Method::raster) {
+  if (uses_gl(s))
     estimate.gpu_scene = geometry_bytes(scene) + scene.materials.size() * HRT_MATERIAL_TEXELS * sizeof(vec4);
-    estimate.gpu_frames = frame_bytes(s);
-  }
   const bool kd_tree = accel == Accel::kdtree || s.method == Method::reference;
   if (needs_caster(facts, s, light_moves))
     estimate.accelerator = scene.triangle_count() * (kd_tree ? kKdTreeBytesATriangle : kEmbreeBytesATriangle);
@@ -51,6 +84,15 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
   if (s.method != Method::reference && s.method != Method::raster && s.shadows != ShadowMode::none && asks_light)
     estimate.accelerator += scene.triangle_count() * kLightBufferBytesATriangle;
   return estimate;
+}
+
+void require_room_for_frames(const RenderSettings& s, int threads, int64_t frame_count, uint64_t most_bytes) {
+  const uint64_t bytes = estimate_frame_memory(s, threads, frame_count).total();
+  if (bytes > most_bytes)
+    throw error(ErrorKind::usage,
+                "frames of {}x{} pixels need about {} of memory, allowed are {}; render smaller ones (--size, --crop, "
+                "--shadow-map), take fewer --frames-in-flight or --threads, or allow more by --max-memory",
+                s.width_px, s.height_px, size_text(bytes), size_text(most_bytes));
 }
 
 }  // namespace hybridrt

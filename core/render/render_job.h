@@ -7,7 +7,9 @@
 #include "core/render/motion.h"
 #include "core/render/scene_caster.h"
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace hybridrt {
@@ -22,6 +24,7 @@ struct RenderJob {
   Accel accel = Accel::embree;
   SceneCaster<float> caster;  ///< of `scene` by `accel`, if it was needed already; else run() builds one
   int threads = 1;
+  uint64_t most_bytes = std::numeric_limits<uint64_t>::max();  ///< of memory, as the estimates go
   gl::ContextRequest gl;      ///< its `threads` is set from `threads`
   gl::ShaderSources shaders;  ///< for the methods that use GL
 };

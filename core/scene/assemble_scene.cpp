@@ -39,7 +39,7 @@ double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
 dvec3 choose_origin(const WorldBox& box) {
   const double size = largest(box.hi - box.lo);
   const double reach = largest(glm::max(glm::abs(box.lo), glm::abs(box.hi)));
-  if (reach <= kFarFromOrigin * size) return dvec3(0);
+  if (size == 0 || reach <= kFarFromOrigin * size) return dvec3(0);  // a point has no area: it is refused later
   const double grid = std::exp2(std::floor(std::log2(size)));
   return glm::round((box.lo + (box.hi - box.lo) / 2.0) / grid) * grid;
 }

@@ -5,6 +5,8 @@
 namespace hybridrt {
 namespace {
 
+constexpr double kLargestFrame = 1e15;  // whole numbers beyond are not all doubles; and differences stay finite
+
 double parse_fov(const JsonPlace& place, const CameraFileContext& context) {
   const auto fov = place.find("fov_y_deg");
   if (!fov) return context.default_fov_y_rad;
@@ -36,6 +38,7 @@ CameraPath parse_keyframes(const JsonPlace& keyframes, const CameraFileContext& 
     place.only({"frame", "eye", "target", "up", "fov_y_deg", "light"});
     CameraKey key;
     key.frame = place.at("frame").number();
+    if (!(std::abs(key.frame) < kLargestFrame)) place.at("frame").fail("must be below 1e15");
     if (!path.keys.empty() && !(key.frame > path.keys.back().frame))
       place.fail(key.frame == path.keys.back().frame
                      ? fmt::format("frame {:g} is there twice; leave one key", key.frame)

@@ -139,8 +139,9 @@ dvec3 JsonPlace::vector() const {
 
 dvec3 JsonPlace::direction() const {
   const dvec3 v = vector();
-  if (!(glm::length(v) > 0)) fail("must not be zero: it is a direction");
-  return v;
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0)) fail("must not be zero: it is a direction");
+  return largest > 1e-100 ? v : v / largest;  // squares of the smallest numbers are none
 }
 
 }  // namespace hybridrt

@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
+#include "core/scene/load_watch.h"
 #include "core/scene/mesh_data.h"
 #include "core/scene/scene.h"
 #include "core/scene/up_axis.h"
@@ -35,10 +36,17 @@ inline constexpr const char* kMeshFormats = ".obj, .ply, .off or .stl";
 /// Whether the extension, in whatever case, is one of these.
 bool is_mesh_file(const std::filesystem::path& path);
 
+/// By the extension. What has a directory's name or none of ours is taken for OBJ, whose reader says what is wrong.
+enum class MeshFormat { obj, ply, off, stl };
+MeshFormat mesh_format_of(const std::filesystem::path& path);
+
 /// Reads one or several meshes, of any of the formats, into one validated scene with one origin
-/// (assemble_scene). Meshes are read side by side; warnings come in the meshes' order. Files whose z axis
+/// (assemble_scene). Large OBJs are read one after the other on all threads, the others side by side; warnings come in the meshes' order. Files whose z axis
 /// points up are turned so that y does.
+///
+/// Throws Error (input) before reading any when together they would take more than watch.most_bytes of memory
+/// (loading_bytes.h).
 Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool,
-                  Warnings& warnings);
+                  Warnings& warnings, const LoadWatch& watch = {});
 
 }  // namespace hybridrt

@@ -118,8 +118,8 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
   Tallies tallies;
   Reading reading;
   bool inside = false;  // what stands before the first newmtl belongs to nothing
-  for (TextLine line; lines.next(line);) {
-    Statement s{lines, {}, {line.begin, static_cast<size_t>(line.end - line.begin)}};
+  for (std::string_view line; lines.next(line);) {
+    Statement s{lines, {}, line};
     s.name = take_word(s.rest);
     if (s.name.empty() || s.name.starts_with('#')) continue;
     if (s.name == "newmtl") {

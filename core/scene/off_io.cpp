@@ -17,9 +17,8 @@ class OffLines {
       : lines_(path, LineJoin::none), mesh_(mesh) {}
 
   void next(const char* expected) {
-    for (TextLine line; lines_.next(line);) {
-      rest_ = {line.begin, static_cast<size_t>(line.end - line.begin)};
-      rest_ = rest_.substr(0, rest_.find('#'));
+    for (std::string_view line; lines_.next(line);) {
+      rest_ = line.substr(0, line.find('#'));
       if (!done()) return;
     }
     throw error(ErrorKind::input, "{}: cut short: it ends before {}", lines_.path().string(), expected);

@@ -31,14 +31,14 @@ inline bool says_not_finite(std::string_view word) {
 class PlyTextValues {
  public:
   PlyTextValues(const std::filesystem::path& path, const PlyHeader& header) : lines_(path, LineJoin::none) {
-    for (TextLine ignored; lines_.line_number() < header.lines && lines_.next(ignored);) {
+    for (std::string_view ignored; lines_.line_number() < header.lines && lines_.next(ignored);) {
     }
   }
 
   /// Goes on to the next element.
   void begin(const PlyElement& element, uint64_t index) {
-    for (TextLine line; lines_.next(line);) {
-      rest_ = {line.begin, static_cast<size_t>(line.end - line.begin)};
+    for (std::string_view line; lines_.next(line);) {
+      rest_ = line;
       if (!trimmed(rest_).empty()) return;
     }
     throw error(ErrorKind::input, "{}: cut short: it ends before {} {} of {}", lines_.path().string(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/scene/loading_bytes.h"
 #include "core/scene/mesh_io.h"
 #include "core/scene/procedural.h"
 #include "core/scene/scene_file.h"
@@ -28,7 +29,7 @@ double parse_value(const std::string& argument, std::string_view key, std::strin
   return *number;
 }
 
-Scene make_procedural(const std::string& argument) {
+Scene make_procedural(const std::string& argument, uint64_t most_bytes) {
   std::string_view rest = std::string_view(argument).substr(kPrefix.size());
   const std::string_view name = take_part(rest);
   const ProceduralScene* scene = find_procedural(name);
@@ -54,17 +55,19 @@ Scene make_procedural(const std::string& argument) {
                   in_quotes(key));
     }
   }
+  const int64_t triangles = std::min(options.triangles.value_or(scene->default_triangles), scene->most_triangles);
+  require_room_for_scene(argument, making_bytes(triangles), most_bytes);
   return scene->make(options);
 }
 
 }  // namespace
 
 Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings,
-                 std::optional<UpAxis> up_axis) {
+                 std::optional<UpAxis> up_axis, const LoadWatch& watch) {
   if (scene_argument.starts_with(kPrefix)) {
     if (up_axis.value_or(UpAxis::y) != UpAxis::y)
       throw error(ErrorKind::usage, "{}: its y axis points up; leave --up-axis out", scene_argument);
-    return make_procedural(scene_argument);
+    return make_procedural(scene_argument, watch.most_bytes);
   }
   const std::filesystem::path path(scene_argument);
   std::error_code unreachable;
@@ -74,12 +77,12 @@ Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& 
   if (is_scene_file(path)) {
     const SceneDescription description = read_scene_file(path);
     const UpAxis up = up_axis ? *up_axis : description.up_axis.value_or(UpAxis::y);
-    return load_meshes(description.meshes, up, pool, warnings);
+    return load_meshes(description.meshes, up, pool, warnings, watch);
   }
   if (!is_mesh_file(path) && !std::filesystem::is_directory(path, unreachable))
     throw error(ErrorKind::input, "{}: {} files are not read, only {} and scene .json; convert it to one of these",
                 scene_argument, path.has_extension() ? path.extension().string() : "such", kMeshFormats);
-  return load_meshes({&path, 1}, up_axis.value_or(UpAxis::y), pool, warnings);
+  return load_meshes({&path, 1}, up_axis.value_or(UpAxis::y), pool, warnings, watch);
 }
 
 }  // namespace hybridrt

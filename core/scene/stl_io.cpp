@@ -71,8 +71,8 @@ MeshData read_text(const std::filesystem::path& path, Warnings& warnings) {
                 word.empty() ? "a number is missing" : in_quotes(word) + " is not a usable number");
     return *value;
   };
-  for (TextLine line; lines.next(line);) {
-    std::string_view rest(line.begin, static_cast<size_t>(line.end - line.begin));
+  for (std::string_view line; lines.next(line);) {
+    std::string_view rest = line;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
       const std::string keyword = lower_case(word);
       if (keyword == "solid" || keyword == "endsolid") {

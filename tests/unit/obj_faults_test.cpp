@@ -19,6 +19,7 @@ TEST(ObjFaults, FilesThatAreNone) {
   EXPECT_TRUE(contains(error_of(kTriangle), "no faces (3 vertices)"));
   EXPECT_TRUE(contains(error_of(kTriangle + "f 1 2\n"), "none of its 1 faces"));
   EXPECT_TRUE(contains(error_of(kTriangle + "f 1 2 2\n"), "zero area"));
+  EXPECT_TRUE(contains(error_of("v 0 1 0\nv 0 1 0\nv 0 1 0\nf 1 2 3\n"), "zero area")) << "all in one point";
 }
 
 TEST(ObjFaults, RandomBytesEndInAnError) {

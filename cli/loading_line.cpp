@@ -1,0 +1,71 @@
+#include "cli/loading_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace hybridrt::cli {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{1000}, kRedraw{100};
+
+/// Draws on a thread of its own from construction to destruction.
+class LoadingLine {
+ public:
+  LoadingLine(std::string scene, const LoadProgress& progress)
+      : scene_(std::move(scene)), progress_(progress), thread_([this] { draw(); }) {}
+
+  ~LoadingLine() {
+    {
+      std::lock_guard lock(mutex_);
+      loaded_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+  }
+
+ private:
+  void draw() {
+    std::unique_lock lock(mutex_);
+    bool drawn = false;
+    for (auto wait = kPatience; !wake_.wait_for(lock, wait, [this] { return loaded_; }); wait = kRedraw) {
+      fmt::print(stderr, "\r{}\x1b[K", text());
+      std::fflush(stderr);
+      drawn = true;
+    }
+    if (drawn) fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+  }
+
+  std::string text() const {
+    const uint64_t bytes = progress_.bytes, read = std::min<uint64_t>(progress_.bytes_read, bytes);
+    if (bytes == 0) return "loading " + scene_;
+    return fmt::format("loading {} {} %", scene_, read * 100 / bytes);
+  }
+
+  const std::string scene_;
+  const LoadProgress& progress_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool loaded_ = false;
+  std::thread thread_;  // last: it uses all the others
+};
+
+}  // namespace
+
+RenderJob load_showing_progress(const RenderOptions& options, Warnings& warnings, bool quiet) {
+  LoadProgress progress;
+  std::optional<LoadingLine> line;
+  if (!quiet && isatty(STDERR_FILENO))
+    line.emplace(std::filesystem::path(options.scene).filename().string(), progress);
+  return make_render_job(options, warnings, &progress);
+}
+
+}  // namespace hybridrt::cli

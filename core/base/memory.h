@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace hybridrt {
+
+/// Bytes of main memory that this process may use in all: the machine's, further limited by the cgroup (version 1 or
+/// 2). UINT64_MAX where nothing says.
+uint64_t allowed_memory();
+
+/// For people: "12.5 MiB", "3.0 GiB".
+std::string size_text(uint64_t bytes);
+
+}  // namespace hybridrt

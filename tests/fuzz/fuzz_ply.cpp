@@ -1,0 +1,16 @@
+// PLY, as text and binary of either byte order, all the way to a scene.
+
+#include "core/scene/mesh_io.h"
+#include "tests/fuzz/input_file.h"
+#include "tests/fuzz/reader.h"
+
+namespace hybridrt::fuzz {
+
+void read_input(std::string_view bytes) {
+  const std::filesystem::path ply = input_file("input.ply", bytes);
+  ThreadPool pool(1);
+  Warnings warnings;
+  load_meshes({&ply, 1}, UpAxis::z, pool, warnings);
+}
+
+}  // namespace hybridrt::fuzz

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tests/unit/temporary_folder.h"
+
+namespace hybridrt::fuzz {
+
+/// A file in a folder of its own: readers take paths, and follow names in the input to the files beside it. Replaces
+/// the last input.
+inline std::filesystem::path input_file(const char* name, std::string_view bytes) {
+  static const TemporaryFolder folder;
+  return folder.write(name, bytes);
+}
+
+}  // namespace hybridrt::fuzz
