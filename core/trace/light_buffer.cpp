@@ -141,7 +141,13 @@ void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> quer
 }
 
 bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye) {
-  return Lookup(buffer).surplus_of_exits(eye) != 0;
+  // A ray through an edge meets both its triangles, and the sum means nothing: scenes are symmetrical, and cameras
+  // stand in the middle of them. A little beside the eye, in odd directions, there are none.
+  const dvec3 size = glm::max(glm::abs(eye), glm::abs(dvec3(buffer.scene->bounds.extent())));
+  const double beside = 1e-9 * std::max({size.x, size.y, size.z});
+  const Lookup lookup(buffer);
+  return lookup.surplus_of_exits(eye) != 0 || lookup.surplus_of_exits(eye + beside * dvec3(0.31, 0.57, -0.77)) != 0 ||
+         lookup.surplus_of_exits(eye + beside * dvec3(-0.83, 0.13, 0.41)) != 0;
 }
 
 }  // namespace hybridrt
