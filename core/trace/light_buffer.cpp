@@ -142,12 +142,16 @@ void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> quer
 
 bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye) {
   // A ray through an edge meets both its triangles, and the sum means nothing: scenes are symmetrical, and cameras
-  // stand in the middle of them. A little beside the eye, in odd directions, there are none.
-  const dvec3 size = glm::max(glm::abs(eye), glm::abs(dvec3(buffer.scene->bounds.extent())));
-  const double beside = 1e-9 * std::max({size.x, size.y, size.z});
+  // stand in the middle of them. A camera that lies on the floor sees both of its sides. So it is points around the
+  // eye that are asked, a little beside where edges go.
+  const dvec3 size = glm::max(glm::abs(eye), dvec3(buffer.scene->bounds.extent()));
+  const double step = 1e-9 * std::max({size.x, size.y, size.z});
   const Lookup lookup(buffer);
-  return lookup.surplus_of_exits(eye) != 0 || lookup.surplus_of_exits(eye + beside * dvec3(0.31, 0.57, -0.77)) != 0 ||
-         lookup.surplus_of_exits(eye + beside * dvec3(-0.83, 0.13, 0.41)) != 0;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (lookup.surplus_of_exits(eye + step * dvec3(x + 0.07, y - 0.11, z + 0.05)) != 0) return true;
+  return false;
 }
 
 }  // namespace hybridrt

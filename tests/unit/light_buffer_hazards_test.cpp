@@ -4,7 +4,7 @@
 
 #include "core/trace/kd_caster.h"
 #include "core/trace/light_buffer.h"
-#include "core/trace/surface_at.h"
+#include "core/trace/primary_surface.h"
 #include "core/trace/trace_pass.h"
 #include "shaders/shared.h"
 #include "trace_scenes.h"
@@ -31,7 +31,7 @@ Scene top_in_a_box() {
   return scene;
 }
 
-TEST(LightBufferHazards, AnEyeBelowCornersAndEdgesIsStillInside) {
+TEST(LightBufferHazards, AnEyeBelowACornerOrOnASurfaceMayBeInside) {
   // The ray up from the middle enters the pyramid by four triangles and leaves it, and the box, by two each.
   const Scene scene = top_in_a_box();
   ThreadPool pool(1);
@@ -42,6 +42,64 @@ TEST(LightBufferHazards, AnEyeBelowCornersAndEdgesIsStillInside) {
   const LightBuffer buffer = build_light_buffer(scene, sides, {0, 1, 0}, pool);
   EXPECT_TRUE(may_be_enclosed(buffer, {0.5, 0.3, 0.5}));
   EXPECT_FALSE(may_be_enclosed(buffer, {0.5, -0.3, 1.2}));
+  for (const dvec3 on_it : {dvec3(0.3, 1, 0.3), dvec3(0, 0.3, 0.4), dvec3(0, 1, 0), dvec3(1, 0.5, 1)})
+    EXPECT_TRUE(may_be_enclosed(buffer, on_it)) << "it looks into the box as well as out";
+}
+
+void add_scene(Scene& scene, const Scene& other) {
+  const auto first = static_cast<uint32_t>(scene.positions.size());
+  scene.positions.insert(scene.positions.end(), other.positions.begin(), other.positions.end());
+  for (const uvec3& corners : other.triangle_positions) scene.triangle_positions.push_back(corners + first);
+}
+
+/// Boxes and balls on a grid, a few of each, which overlap, touch and share faces.
+Scene bodies_on_a_grid(Random& random) {
+  Scene scene;
+  const auto corner = [&] { return vec3(random.below(6), random.below(6), random.below(6)); };
+  for (uint32_t i = 1 + random.below(10); i > 0; --i)
+    add_scene(scene, transformed(random.below(3) ? closed_box() : closed_sphere(8, 4),
+                                 static_cast<float>(1 + random.below(3)), corner()));
+  scene.bounds = compute_bounds(scene);
+  return scene;
+}
+
+TEST(LightBufferHazards, EyesInsideAndOutsideAndOnBodiesThatOverlap) {
+  const dvec3 lights[] = {{0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0.1, 1, 0.2}, {-1, 2, 0}};
+  constexpr int kSize_px = 32;
+  ThreadPool pool(1);
+  Random random(1);
+  size_t asked = 0, wrong = 0, enclosed = 0, views = 0;
+  for (int round = 0; round < 60; ++round) {
+    const Scene scene = bodies_on_a_grid(random);
+    const std::vector<int8_t> sides = triangle_sides(build_topology(scene, pool));
+    const KdTree tree = build_kd_tree(scene, pool);
+    const auto reference = make_reference_caster(tree);
+    const dvec3 eye(random.below(7), random.below(7), random.below(7)), target(random.in_cube(0, 6));
+    const View view = make_view({eye, target, {0, 1, 0}, 1.2}, dvec3(0), kSize_px, kSize_px);
+    for (const dvec3& light : lights) {
+      const dvec3 toward = glm::normalize(light);
+      const LightBuffer buffer = build_light_buffer(scene, sides, toward, pool);
+      const bool inside = may_be_enclosed(buffer, eye);
+      ++views, enclosed += inside;
+      for (int i = 0; i < kSize_px * kSize_px; ++i) {
+        const Ray<double> seen{eye, glm::normalize(view.pixel_dir(i % kSize_px, i / kSize_px))};
+        Hit<double> hit;
+        reference->closest_hits({&seen, 1}, {&hit, 1});
+        if (!hit.found()) continue;
+        auto query = primary_shadow_query(scene, hit.triangle, eye, seen.dir, toward);
+        if (!query) continue;
+        query->anywhere = inside;
+        const Ray<double> ray{query->origin, toward};
+        uint8_t truth;
+        reference->any_hits({&ray, 1}, {&truth, 1});
+        ++asked, wrong += truth != answer(buffer, *query);
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0u);
+  EXPECT_GT(asked, 50000u);
+  EXPECT_GT(enclosed, views / 10);
+  EXPECT_LT(enclosed, views * 9 / 10);
 }
 
 TEST(LightBufferHazards, AQueryThatMayLieAnywhereDoesNotMeetItsOwnTriangleEither) {
