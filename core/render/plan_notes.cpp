@@ -25,6 +25,7 @@ StepNote shadow_map_note(const FramePlan& plan, const RenderSettings& s, bool li
 
 StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 3 boundaries";
+  if (plan.settle) return {kStep, Runs::each_frame, "by proof, from the light buffer's cells"};
   if (!plan.mark) return left_out(kStep, shadows_option(s) + " marks none");
   return {kStep, Runs::each_frame, fmt::format("{0} x {0} blur of the shadow test", s.blur_kernel_px)};
 }
@@ -39,6 +40,7 @@ StepNote readback_note(const FramePlan& plan) {
 StepNote shadow_rays_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 4 shadow rays";
   if (plan.mark) return {kStep, Runs::each_frame, "at the pixels that pass 3 marks"};
+  if (plan.settle) return {kStep, Runs::each_frame, "at the pixels that pass 3 cannot settle"};
   if (s.shadows == ShadowMode::rays) return {kStep, Runs::each_frame, "at every pixel that faces the light"};
   return left_out(kStep, plan.shadow_map ? "the shadow map decides alone" : "--shadows none");
 }

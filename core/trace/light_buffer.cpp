@@ -25,14 +25,17 @@ class Lookup {
   static constexpr size_t kGroup = 16;
   void answer_group(const ShadowQuery* queries, size_t count, uint8_t* occluded) const {
     Place places[kGroup];
-    for (size_t i = 0; i < count; ++i) {
-      places[i] = place_of(queries[i].origin);
-      if (places[i].cell) __builtin_prefetch(places[i].cell);
-    }
+    find_places(queries, count, places);
     for (size_t i = 0; i < count; ++i)
       if (places[i].cell && places[i].depth >= places[i].cell->nearest)
         __builtin_prefetch(&buffer_.entries[places[i].cell->first]);
     for (size_t i = 0; i < count; ++i) occluded[i] = places[i].cell && is_occluded(queries[i], places[i]);
+  }
+
+  void certify_group(const ShadowQuery* queries, size_t count, ShadowCertainty* certainties) const {
+    Place places[kGroup];
+    find_places(queries, count, places);
+    for (size_t i = 0; i < count; ++i) certainties[i] = certainty(queries[i], places[i]);
   }
 
   /// How often the ray leaves closed bodies, less how often it enters them.
@@ -54,6 +57,20 @@ class Lookup {
     float x, y, depth;                ///< in the cell's coordinates
   };
 
+  void find_places(const ShadowQuery* queries, size_t count, Place* places) const {
+    for (size_t i = 0; i < count; ++i) {
+      places[i] = place_of(queries[i].origin);
+      if (places[i].cell) __builtin_prefetch(places[i].cell);
+    }
+  }
+
+  ShadowCertainty certainty(const ShadowQuery& query, const Place& place) const {
+    if (!place.cell) return ShadowCertainty::lit;
+    if (query.anywhere || starts_inside(query)) return ShadowCertainty::inside;
+    if (place.depth < place.cell->nearest) return ShadowCertainty::lit;
+    return place.depth > place.cell->cover ? ShadowCertainty::shadow : ShadowCertainty::unsettled;
+  }
+
   Place place_of(const dvec3& origin) const {
     const dvec3 at = grid_from_light(buffer_, light_from_scene(buffer_, origin));
     if (!(at.x >= 0 && at.y >= 0 && at.x < 2.0 * buffer_.cells_x && at.y < 2.0 * buffer_.cells_y)) return {};
@@ -68,10 +85,12 @@ class Lookup {
 
   bool is_occluded(const ShadowQuery& query, const Place& place) const {
     const LightCell* cell = place.cell;
-    if (query.anywhere || starts_inside(query)) return any_of_cell(query, cell);
-    if (place.depth < cell->nearest) return false;
-    if (place.depth > cell->cover) return true;
-
+    switch (certainty(query, place)) {
+      case ShadowCertainty::lit: return false;
+      case ShadowCertainty::shadow: return true;
+      case ShadowCertainty::inside: return any_of_cell(query, cell);
+      case ShadowCertainty::unsettled: break;
+    }
     const auto x = hn::Set(kLanes, place.x), y = hn::Set(kLanes, place.y);
     alignas(16) const float lane_3[4] = {0, 0, 0, place.depth};
     const auto own_depth = hn::Load(kLanes, lane_3);
@@ -138,6 +157,13 @@ void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> quer
   const Lookup lookup(buffer);
   for (size_t i = 0; i < queries.size(); i += Lookup::kGroup)
     lookup.answer_group(&queries[i], std::min(Lookup::kGroup, queries.size() - i), &occluded[i]);
+}
+
+void certify(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<ShadowCertainty> certainties) {
+  HRT_CHECK_EQ(queries.size(), certainties.size());
+  const Lookup lookup(buffer);
+  for (size_t i = 0; i < queries.size(); i += Lookup::kGroup)
+    lookup.certify_group(&queries[i], std::min(Lookup::kGroup, queries.size() - i), &certainties[i]);
 }
 
 bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye) {

@@ -88,6 +88,15 @@ struct ShadowQuery {
 void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries,
                     std::span<uint8_t> occluded);
 
+/// What a query's cell alone says about its answer, without a look at the triangles in it.
+enum class ShadowCertainty : uint8_t {
+  lit,        ///< nothing over the cell is nearer to the light
+  shadow,     ///< one triangle nearer to the light covers the whole cell
+  unsettled,  ///< ask
+  inside,     ///< ask: the query may start inside a closed body
+};
+void certify(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<ShadowCertainty> certainties);
+
 /// True if a point seen from `eye` may lie inside a closed body: queries that start at what `eye` sees must
 /// then be asked with `anywhere`.
 bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye);

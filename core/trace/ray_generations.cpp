@@ -32,6 +32,8 @@ void TraceStats::add(const TraceStats& other) {
   primary_shadow_rays += other.primary_shadow_rays;
   reflection_rays += other.reflection_rays;
   refraction_rays += other.refraction_rays;
+  pixels_suspect += other.pixels_suspect;
+  pixels_repaired += other.pixels_repaired;
   shadow_cpu_ms += other.shadow_cpu_ms;
   secondary_cpu_ms += other.secondary_cpu_ms;
 }

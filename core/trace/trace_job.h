@@ -28,6 +28,8 @@ struct TraceStats {
   int64_t shadow_rays = 0;          ///< all generations
   int64_t primary_shadow_rays = 0;  ///< those of the primary generation
   int64_t reflection_rays = 0, refraction_rays = 0;
+  int64_t pixels_suspect = 0, pixels_repaired = 0;  ///< see RepairStats
+  double repair_ms = 0;         ///< wall time of settling the suspects
   double shadow_cpu_ms = 0;     ///< thread time of the primary generation's shadow rays
   double secondary_cpu_ms = 0;  ///< thread time of everything after the primary generation
 
