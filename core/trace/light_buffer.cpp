@@ -137,10 +137,11 @@ class Lookup {
   }
 
   bool any_of_cell(const ShadowQuery& query, const LightCell* cell) const {
+    const auto shadows = [&](uint32_t triangle) { return triangle != query.triangle && meets(query, triangle); };
     for (uint32_t i = cell->first; i < cell[1].first; ++i)
-      if (meets(query, buffer_.entries[i].triangle)) return true;
+      if (shadows(buffer_.entries[i].triangle)) return true;
     for (uint32_t i = cell->first_other; i < cell[1].first_other; ++i)
-      if (meets(query, buffer_.others[i])) return true;
+      if (shadows(buffer_.others[i])) return true;
     return false;
   }
 
@@ -166,7 +167,17 @@ void certify(const LightBuffer& buffer, std::span<const ShadowQuery> queries, st
 }
 
 bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye) {
-  return Lookup(buffer).surplus_of_exits(eye) != 0;
+  // A ray through an edge meets both its triangles, and the sum means nothing: scenes are symmetrical, and cameras
+  // stand in the middle of them. A camera that lies on the floor sees both of its sides. So it is points around the
+  // eye that are asked, a little beside where edges go.
+  const dvec3 size = glm::max(glm::abs(eye), dvec3(buffer.scene->bounds.extent()));
+  const double step = 1e-9 * std::max({size.x, size.y, size.z});
+  const Lookup lookup(buffer);
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (lookup.surplus_of_exits(eye + step * dvec3(x + 0.07, y - 0.11, z + 0.05)) != 0) return true;
+  return false;
 }
 
 }  // namespace hybridrt

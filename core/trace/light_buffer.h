@@ -84,7 +84,9 @@ struct ShadowQuery {
 
 /// 1 where something lies between the origin and the light, else 0. The answer is that of a ray traced in
 /// double precision against every triangle (intersect_triangle) but its own, not nearly so: what single
-/// precision cannot decide is decided by that same test. Thread-safe.
+/// precision cannot decide is decided by that same test. Only for an origin that lies inside a closed body without
+/// saying so (`anywhere`), as where a pixel's triangle is hidden after all, is that body's lit half not asked.
+/// Thread-safe.
 void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries,
                     std::span<uint8_t> occluded);
 
