@@ -92,6 +92,13 @@ def table(results):
     return lines
 
 
+def text_before_tables(path):
+    """What people wrote stays: everything up to the mark."""
+    mark = "<!-- tables -->"
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    return (text.split(mark)[0] if mark in text else "") + mark + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--lights", type=int, default=12)
@@ -102,8 +109,7 @@ def main():
     parser.add_argument("scenes", nargs="*", help="default: chess, thin and spheres")
     args = parser.parse_args()
     scenes = args.scenes or [f"scene:{name},triangles={args.triangles}" for name in ("chess", "thin", "spheres")]
-    head = args.output.with_suffix(".head.md")
-    lines = [head.read_text(encoding="utf-8")] if head.exists() else []
+    lines = [text_before_tables(args.output)]
     names = " ".join(Path(scene).name if os.path.exists(scene) else scene for scene in args.scenes)
     lines += [f"`scripts/shadow_results.py --lights {args.lights} --triangles {args.triangles} {names}`, "
               f"{platform.processor() or platform.machine()}, {args.threads} threads.", ""]
