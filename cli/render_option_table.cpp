@@ -46,7 +46,7 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   const char* method = "Method";
   app.add_option_function("--method", by_name("--method", kMethods, o.method),
                           "hybrid (default), raster, raytrace, reference")->type_name("M")->group(method);
-  app.add_option("--shadows", o.shadows, "none, map, blur, rays (default: blur, or what the method takes)")
+  app.add_option("--shadows", o.shadows, "none, map, blur, exact, rays (default: exact, or what the method takes)")
       ->type_name("S")->group(method);
   app.add_option("--blur-kernel", o.blur_kernel, "Odd, 1-31 pixels (default 5)")->type_name("K")->group(method);
   app.add_option("--shadow-map", o.shadow_map, "Texels along each side (default 2048)")->type_name("N")->group(method);

@@ -13,7 +13,7 @@ namespace hybridrt::cli {
 namespace {
 
 const std::map<std::string, ShadowMode> kShadows = {
-    {"none", ShadowMode::none}, {"map", ShadowMode::map}, {"blur", ShadowMode::blur}, {"rays", ShadowMode::rays}};
+    {"none", ShadowMode::none}, {"map", ShadowMode::map}, {"blur", ShadowMode::blur}, {"exact", ShadowMode::exact}, {"rays", ShadowMode::rays}};
 
 std::optional<UpAxis> parse_up_axis(const RenderOptions& o) {
   if (o.up_axis.empty()) return std::nullopt;

@@ -13,6 +13,9 @@
 #define HRT_MASK_LIT 1u
 #define HRT_MASK_MARKED 2u
 #define HRT_MASK_NO_RECEIVER 4u
+// Why, for --aov marked: the pixel's point may lie inside a closed body; its triangle was found anew.
+#define HRT_MASK_INSIDE 8u
+#define HRT_MASK_REPAIRED 16u
 
 // Texture units.
 #define HRT_UNIT_IDS 0

@@ -66,7 +66,11 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
       return bit(source.lit.empty() ? source.mask : source.lit, i, HRT_MASK_LIT);
     });
   if (aovs & kAovMarked)
-    add_values("marked", [&](size_t i, int, int) { return bit(source.mask, i, HRT_MASK_MARKED); });
+    add_values("marked", [&](size_t i, int, int) {
+      if (bit(source.mask, i, HRT_MASK_REPAIRED)) return float{kMarkedRepaired};
+      if (!bit(source.mask, i, HRT_MASK_MARKED)) return float{kNotMarked};
+      return bit(source.mask, i, HRT_MASK_INSIDE) ? float{kMarkedInside} : float{kMarkedBoundary};
+    });
   if (aovs & kAovTraced)
     add_vectors("traced", {"R", "G", "B"},
                 [&](size_t i, int, int) { return source.traced.empty() ? vec3(0) : vec3(source.traced[i]); });
@@ -83,6 +87,8 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
   return layers;
 }
 
+constexpr vec3 kMarkColors[] = {vec3(0), vec3(1), vec3(1, 0, 0), vec3(1, 1, 0)};  // by MarkReason
+
 Image display_image(const ImageLayer& aov, int width_px, int height_px) {
   Image image(width_px, height_px, 3);
   const size_t pixels = image.pixel_count(), channels = aov.channels.size();
@@ -94,6 +100,8 @@ Image display_image(const ImageLayer& aov, int width_px, int height_px) {
     vec3 color(0);
     if (!aov.numbers.empty()) {
       if (aov.numbers[i] != kNoTriangle) color = hashed_color(aov.numbers[i]);
+    } else if (aov.name == "marked") {
+      color = kMarkColors[static_cast<int>(aov.values[i])];
     } else if (channels == 1) {
       color = vec3(scale * aov.values[i]);
     } else {

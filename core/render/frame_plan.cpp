@@ -44,13 +44,16 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.shadows = shadows != ShadowMode::none;
   plan.shadow_map = shadows == ShadowMode::map || shadows == ShadowMode::blur;
   plan.mark = shadows == ShadowMode::blur;
-  plan.trace_shadows = hybrid && (plan.mark || shadows == ShadowMode::rays);
+  plan.settle = hybrid && shadows == ShadowMode::exact;
+  plan.trace_shadows = hybrid && (plan.mark || plan.settle || shadows == ShadowMode::rays);
+  // The exact modes see the right triangle too, under any light.
+  plan.repair = hybrid && (settings.shadows == ShadowMode::exact || settings.shadows == ShadowMode::rays);
   plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
 
   // A light buffer is worth building for a few rays only if the next frames can use it too.
   const bool asks_light = plan.trace() || settings.method == Method::raytrace;
   plan.light_buffer =
-      plan.shadows && asks_light && (shadows == ShadowMode::rays || !request.light_moves);
+      plan.shadows && asks_light && (plan.settle || shadows == ShadowMode::rays || !request.light_moves);
 
   const uint32_t from_ids = kAovId | kAovDepth | kAovNormal;
   plan.read_ids = plan.trace() || (settings.aovs & from_ids);

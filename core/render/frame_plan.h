@@ -32,13 +32,15 @@ struct FramePlan {
 
   bool shadows = false;          ///< at all, in mirrors too
   bool shadow_map = false;       ///< pass 1 and the shadow test of pass 2
-  bool mark = false;             ///< pass 3
+  bool mark = false;             ///< pass 3 by blurring, on the GPU
+  bool settle = false;           ///< pass 3 by proof, on the CPU
+  bool repair = false;           ///< pass 4 first settles which triangle is seen where the raster may be wrong
   bool trace_shadows = false;    ///< pass 4 decides which pixels are lit
   bool trace_scattered = false;  ///< pass 4 follows reflected and refracted rays
   bool light_buffer = false;     ///< answers all shadow rays; else they are traced
   bool read_ids = false, read_mask = false;  ///< readback
 
-  bool trace() const { return trace_shadows || trace_scattered; }
+  bool trace() const { return trace_shadows || trace_scattered || repair; }
 };
 
 /// Pure: the same arguments give the same plan.

@@ -17,6 +17,8 @@ FrameSlot::FrameSlot(const gl::Functions& gl, const RenderSettings& s, const gl:
       id_target(gl, &ids, depth, "ids"),
       ids_readback(gl, pixel_count(s) * sizeof(uint32_t), "reading back ids"),
       mask_readback(gl, pixel_count(s), "reading back the shadow mask"),
+      repaired_ids(s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays ? pixel_count(s) : 0),
+      settled_mask(s.shadows == ShadowMode::exact ? pixel_count(s) : 0),
       lit_pixels(pixel_count(s)),
       traced_pixels(pixel_count(s)) {
   for (size_t i = 0; i < static_cast<size_t>(PassId::count); ++i) timers.emplace_back(gl);
@@ -24,10 +26,12 @@ FrameSlot::FrameSlot(const gl::Functions& gl, const RenderSettings& s, const gl:
 
 std::span<const uint32_t> FrameSlot::read_ids() const {
   if (!plan.read_ids) return {};
+  if (repaired) return repaired_ids;
   return {static_cast<const uint32_t*>(ids_readback.data()), lit_pixels.size()};
 }
 
 std::span<const uint8_t> FrameSlot::read_mask() const {
+  if (plan.settle) return settled_mask;
   if (!plan.read_mask) return {};
   return {static_cast<const uint8_t*>(mask_readback.data()), lit_pixels.size()};
 }

@@ -28,15 +28,18 @@ struct FrameSlot {
   gl::Readback ids_readback, mask_readback;
   std::vector<gl::TimerQuery> timers;  ///< by PassId
 
+  std::vector<uint32_t> repaired_ids;
+  std::vector<uint8_t> settled_mask;  ///< of pass 3 on the CPU
   std::vector<uint8_t> lit_pixels;
   std::vector<vec4> traced_pixels;
   TraceStats stats;
-  double trace_ms = 0, light_buffer_ms = 0;
+  double trace_ms = 0, light_buffer_ms = 0, settle_ms = 0, repair_ms = 0;
+  bool repaired = false;  ///< pass 4 has been there
   std::shared_future<void> traced_done;  ///< pass 4, when it runs beside the GL thread
 
   gl::TimerQuery& timer(PassId pass) { return timers[static_cast<size_t>(pass)]; }
-  std::span<const uint32_t> read_ids() const;
-  std::span<const uint8_t> read_mask() const;  ///< empty when the plan reads none
+  std::span<const uint32_t> read_ids() const;      ///< of pass 2, or repaired as soon as they are
+  std::span<const uint8_t> read_mask() const;  ///< of pass 2 or 3; empty when the plan has none
 };
 
 }  // namespace hybridrt

@@ -2,6 +2,8 @@
 
 #include "core/base/check.h"
 #include "core/render/aov.h"
+#include "core/trace/repair_primary.h"
+#include "core/trace/settle_shadows.h"
 #include "core/trace/trace_pass.h"
 #include "shaders/shared.h"
 
@@ -16,6 +18,13 @@ const gl::Context& require_size(const gl::Context& context, const RenderSettings
   return context;
 }
 
+/// For --aov marked.
+void mark_repaired(FrameSlot& slot) {
+  const auto* rasterised = static_cast<const uint32_t*>(slot.ids_readback.data());
+  for (size_t i = 0; i < slot.settled_mask.size(); ++i)
+    if (slot.repaired_ids[i] != rasterised[i]) slot.settled_mask[i] |= HRT_MASK_REPAIRED;
+}
+
 bool uses_shadow_map(const RenderSettings& s) {
   return s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur;
 }
@@ -24,7 +33,8 @@ bool uses_shadow_map(const RenderSettings& s) {
 
 bool needs_caster(const SceneFacts& facts, const RenderSettings& s, bool light_moves) {
   if (s.method != Method::hybrid) return s.method != Method::raster;
-  return (s.shadows == ShadowMode::blur && light_moves) ||
+  return s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays ||  // primary hits are repaired
+         (s.shadows == ShadowMode::blur && light_moves) ||
          (s.reflection_depth > 0 && !facts.scattering_bounds.empty());
 }
 
@@ -138,21 +148,37 @@ void GlRenderer::rasterize(FrameSlot& slot) {
 
 void GlRenderer::trace(FrameSlot& slot) {
   slot.stats = {};
-  slot.trace_ms = slot.light_buffer_ms = 0;
+  slot.trace_ms = slot.light_buffer_ms = slot.settle_ms = slot.repair_ms = 0;
+  slot.repaired = false;
   if (!slot.plan.trace()) return;
-  HRT_CHECK(caster_ || (slot.plan.light_buffer && !slot.plan.trace_scattered));
+  HRT_CHECK(caster_ || (slot.plan.light_buffer && !slot.plan.trace_scattered && !slot.plan.repair));
   const Stopwatch stopwatch;
+  RepairStats repair;
+  if (slot.plan.repair) {
+    repair = repair_primary_hits(scene_, slot.plan.view, *caster_, pool_, slot.read_ids(), slot.repaired_ids);
+    slot.repaired = true;
+    slot.repair_ms = stopwatch.elapsed_ms();
+  }
   TraceJob job{scene_, slot.plan.view, slot.plan.light, slot.plan.shadows,
                      settings_.reflection_depth, settings_.ambient, settings_.background};
   if (slot.plan.light_buffer) {
     job.light_buffer = &light_buffer_.toward(slot.plan.light.toward, slot.light_buffer_ms);
     job.eye_enclosed = may_be_enclosed(*job.light_buffer, slot.plan.view.eye);
   }
+  if (slot.plan.settle) {
+    const Stopwatch settling;
+    settle_shadows(job, pool_, slot.read_ids(), slot.settled_mask);
+    mark_repaired(slot);
+    slot.settle_ms = settling.elapsed_ms();
+  }
   TracePixels pixels{slot.read_ids(), slot.read_mask(), {}, {}};
   if (slot.plan.trace_shadows) pixels.lit = slot.lit_pixels;
   if (slot.plan.trace_scattered) pixels.traced = slot.traced_pixels;
   slot.stats = trace_pass(job, caster_, pool_, pixels);
-  slot.trace_ms = stopwatch.elapsed_ms() - slot.light_buffer_ms;
+  slot.stats.pixels_suspect = repair.suspects;
+  slot.stats.pixels_repaired = repair.repaired;
+  slot.stats.repair_ms = slot.repair_ms;
+  slot.trace_ms = stopwatch.elapsed_ms() - slot.light_buffer_ms - slot.settle_ms;
 }
 
 Frame GlRenderer::shade(FrameSlot& slot) {
@@ -163,6 +189,9 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   const Stopwatch uploading;  // the driver copies on this thread before the GPU sees anything
   if (plan.trace()) slot.timer(PassId::upload).begin();
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  if (slot.stats.pixels_repaired > 0)
+    gl_.TextureSubImage2D(slot.ids.id(), 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                          slot.repaired_ids.data());
   if (plan.trace_shadows)
     gl_.TextureSubImage2D(slot.lit.id(), 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
                           slot.lit_pixels.data());
@@ -195,6 +224,7 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
   frame.timings[PassId::trace] = slot.trace_ms;
   frame.timings[PassId::shadow_map] += slot.light_buffer_ms;  // the other structure of pass 1
+  frame.timings[PassId::mark] += slot.settle_ms;
   frame.timings[PassId::upload] += copying_ms;
   frame.timings[PassId::download] += unpacking_ms;
 

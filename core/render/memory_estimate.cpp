@@ -80,7 +80,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
     estimate.accelerator = scene.triangle_count() * (kd_tree ? kKdTreeBytesATriangle : kEmbreeBytesATriangle);
   const bool scatters = s.reflection_depth > 0 && !facts.scattering_bounds.empty();
   const bool asks_light = s.method == Method::raytrace || s.shadows == ShadowMode::blur ||
-                          s.shadows == ShadowMode::rays || scatters;
+                          s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays || scatters;
   if (s.method != Method::reference && s.method != Method::raster && s.shadows != ShadowMode::none && asks_light)
     estimate.accelerator += scene.triangle_count() * kLightBufferBytesATriangle;
   return estimate;

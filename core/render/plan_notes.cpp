@@ -25,6 +25,7 @@ StepNote shadow_map_note(const FramePlan& plan, const RenderSettings& s, bool li
 
 StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 3 boundaries";
+  if (plan.settle) return {kStep, Runs::each_frame, "by proof, from the light buffer's cells"};
   if (!plan.mark) return left_out(kStep, shadows_option(s) + " marks none");
   return {kStep, Runs::each_frame, fmt::format("{0} x {0} blur of the shadow test", s.blur_kernel_px)};
 }
@@ -36,9 +37,16 @@ StepNote readback_note(const FramePlan& plan) {
   return {kStep, Runs::each_frame, fmt::format("{} for {}", what, plan.trace() ? "pass 4" : "--aov")};
 }
 
+StepNote repair_note(const FramePlan& plan) {
+  constexpr std::string_view kStep = "pass 4 primary hits";
+  if (!plan.repair) return left_out(kStep, "the raster's triangles are taken as they are");
+  return {kStep, Runs::each_frame, "where the raster may have snapped a triangle aside"};
+}
+
 StepNote shadow_rays_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 4 shadow rays";
   if (plan.mark) return {kStep, Runs::each_frame, "at the pixels that pass 3 marks"};
+  if (plan.settle) return {kStep, Runs::each_frame, "at the pixels that pass 3 cannot settle"};
   if (s.shadows == ShadowMode::rays) return {kStep, Runs::each_frame, "at every pixel that faces the light"};
   return left_out(kStep, plan.shadow_map ? "the shadow map decides alone" : "--shadows none");
 }
@@ -100,6 +108,7 @@ std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& fact
            pixels(s) + (plan.shadow_map ? ", with the shadow test" : "")},
           mark_note(plan, s),
           readback_note(plan),
+          repair_note(plan),
           shadow_rays_note(plan, s),
           scattered_note(plan, facts, s),
           {"pass 5 shading", Runs::each_frame, "once a pixel, from the ids"}};

@@ -21,6 +21,7 @@ std::string_view name_of(ShadowMode shadows) {
     case ShadowMode::none: return "none";
     case ShadowMode::map: return "map";
     case ShadowMode::blur: return "blur";
+    case ShadowMode::exact: return "exact";
     case ShadowMode::rays: return "rays";
   }
   return "?";
@@ -47,7 +48,7 @@ PixelRect kept_of_rendered(const RenderSettings& s) {
 void require_method_takes(Method method, ShadowMode shadows) {
   const bool on_gpu = method == Method::hybrid || method == Method::raster;
   const bool takes = shadows == ShadowMode::none || (shadows == ShadowMode::map && on_gpu) ||
-                     (shadows == ShadowMode::blur && method == Method::hybrid) ||
+                     ((shadows == ShadowMode::blur || shadows == ShadowMode::exact) && method == Method::hybrid) ||
                      (shadows == ShadowMode::rays && method != Method::raster);
   if (!takes)
     throw error(ErrorKind::usage, "--method {} does not take --shadows {}; it takes {}", name_of(method),
@@ -59,7 +60,7 @@ void require_method_takes(Method method, ShadowMode shadows) {
 
 ShadowMode default_shadows(Method method) {
   switch (method) {
-    case Method::hybrid: return ShadowMode::blur;
+    case Method::hybrid: return ShadowMode::exact;
     case Method::raster: return ShadowMode::map;
     default: return ShadowMode::rays;
   }

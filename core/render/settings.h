@@ -9,7 +9,7 @@
 namespace hybridrt {
 
 enum class Method { hybrid, raster, raytrace, reference };
-enum class ShadowMode { none, map, blur, rays };
+enum class ShadowMode { none, map, blur, exact, rays };
 enum class Accel { kdtree, embree };
 
 std::string_view name_of(Method method);
@@ -20,10 +20,18 @@ std::string_view name_of(Accel accel);
 enum Aov : uint32_t {
   kAovId = 1,       ///< triangle numbers hashed to colours
   kAovShadow = 2,   ///< white where the light arrives
-  kAovMarked = 4,   ///< white where pass 3 asked for a shadow ray
+  kAovMarked = 4,   ///< where pass 3 asked for a shadow ray, and why: MarkReason
   kAovTraced = 8,   ///< light of reflected and refracted rays
   kAovDepth = 16,   ///< distance along the view, as a share of the farthest
   kAovNormal = 32,  ///< shading normal, (n + 1) / 2
+};
+
+/// Values of the AOV `marked`.
+enum MarkReason {
+  kNotMarked = 0,
+  kMarkedBoundary = 1,  ///< near a shadow's edge, or not settled by proof; white
+  kMarkedInside = 2,    ///< its point may lie inside a closed body; red
+  kMarkedRepaired = 3,  ///< another triangle than the rasterised one is seen at the pixel's centre; yellow
 };
 
 /// A part of a frame; row 0 on top.
@@ -36,7 +44,7 @@ struct RenderSettings {
   int width_px = 1024, height_px = 768;  ///< of the frame
   std::optional<PixelRect> crop;         ///< the part of it that becomes the picture; inside the frame
   Method method = Method::hybrid;
-  ShadowMode shadows = ShadowMode::blur;
+  ShadowMode shadows = ShadowMode::exact;
   int blur_kernel_px = 5;    ///< odd, 1..31
   int shadow_map_px = 2048;
   int reflection_depth = 4;  ///< generations after the primary one
@@ -59,7 +67,7 @@ PixelRect kept_of_rendered(const RenderSettings& settings);
 /// Throws Error(usage) unless the method knows the shadows (the table in the documentation).
 void require_method_takes(Method method, ShadowMode shadows);
 
-/// What a method renders when nothing is said: blur, map or rays.
+/// What a method renders when nothing is said: exact, map or rays.
 ShadowMode default_shadows(Method method);
 
 }  // namespace hybridrt

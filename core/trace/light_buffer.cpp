@@ -25,14 +25,17 @@ class Lookup {
   static constexpr size_t kGroup = 16;
   void answer_group(const ShadowQuery* queries, size_t count, uint8_t* occluded) const {
     Place places[kGroup];
-    for (size_t i = 0; i < count; ++i) {
-      places[i] = place_of(queries[i].origin);
-      if (places[i].cell) __builtin_prefetch(places[i].cell);
-    }
+    find_places(queries, count, places);
     for (size_t i = 0; i < count; ++i)
       if (places[i].cell && places[i].depth >= places[i].cell->nearest)
         __builtin_prefetch(&buffer_.entries[places[i].cell->first]);
     for (size_t i = 0; i < count; ++i) occluded[i] = places[i].cell && is_occluded(queries[i], places[i]);
+  }
+
+  void certify_group(const ShadowQuery* queries, size_t count, ShadowCertainty* certainties) const {
+    Place places[kGroup];
+    find_places(queries, count, places);
+    for (size_t i = 0; i < count; ++i) certainties[i] = certainty(queries[i], places[i]);
   }
 
   /// How often the ray leaves closed bodies, less how often it enters them.
@@ -54,6 +57,20 @@ class Lookup {
     float x, y, depth;                ///< in the cell's coordinates
   };
 
+  void find_places(const ShadowQuery* queries, size_t count, Place* places) const {
+    for (size_t i = 0; i < count; ++i) {
+      places[i] = place_of(queries[i].origin);
+      if (places[i].cell) __builtin_prefetch(places[i].cell);
+    }
+  }
+
+  ShadowCertainty certainty(const ShadowQuery& query, const Place& place) const {
+    if (!place.cell) return ShadowCertainty::lit;
+    if (query.anywhere || starts_inside(query)) return ShadowCertainty::inside;
+    if (place.depth < place.cell->nearest) return ShadowCertainty::lit;
+    return place.depth > place.cell->cover ? ShadowCertainty::shadow : ShadowCertainty::unsettled;
+  }
+
   Place place_of(const dvec3& origin) const {
     const dvec3 at = grid_from_light(buffer_, light_from_scene(buffer_, origin));
     if (!(at.x >= 0 && at.y >= 0 && at.x < 2.0 * buffer_.cells_x && at.y < 2.0 * buffer_.cells_y)) return {};
@@ -68,10 +85,12 @@ class Lookup {
 
   bool is_occluded(const ShadowQuery& query, const Place& place) const {
     const LightCell* cell = place.cell;
-    if (query.anywhere || starts_inside(query)) return any_of_cell(query, cell);
-    if (place.depth < cell->nearest) return false;
-    if (place.depth > cell->cover) return true;
-
+    switch (certainty(query, place)) {
+      case ShadowCertainty::lit: return false;
+      case ShadowCertainty::shadow: return true;
+      case ShadowCertainty::inside: return any_of_cell(query, cell);
+      case ShadowCertainty::unsettled: break;
+    }
     const auto x = hn::Set(kLanes, place.x), y = hn::Set(kLanes, place.y);
     alignas(16) const float lane_3[4] = {0, 0, 0, place.depth};
     const auto own_depth = hn::Load(kLanes, lane_3);
@@ -118,10 +137,11 @@ class Lookup {
   }
 
   bool any_of_cell(const ShadowQuery& query, const LightCell* cell) const {
+    const auto shadows = [&](uint32_t triangle) { return triangle != query.triangle && meets(query, triangle); };
     for (uint32_t i = cell->first; i < cell[1].first; ++i)
-      if (meets(query, buffer_.entries[i].triangle)) return true;
+      if (shadows(buffer_.entries[i].triangle)) return true;
     for (uint32_t i = cell->first_other; i < cell[1].first_other; ++i)
-      if (meets(query, buffer_.others[i])) return true;
+      if (shadows(buffer_.others[i])) return true;
     return false;
   }
 
@@ -139,8 +159,25 @@ void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> quer
     lookup.answer_group(&queries[i], std::min(Lookup::kGroup, queries.size() - i), &occluded[i]);
 }
 
+void certify(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<ShadowCertainty> certainties) {
+  HRT_CHECK_EQ(queries.size(), certainties.size());
+  const Lookup lookup(buffer);
+  for (size_t i = 0; i < queries.size(); i += Lookup::kGroup)
+    lookup.certify_group(&queries[i], std::min(Lookup::kGroup, queries.size() - i), &certainties[i]);
+}
+
 bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye) {
-  return Lookup(buffer).surplus_of_exits(eye) != 0;
+  // A ray through an edge meets both its triangles, and the sum means nothing: scenes are symmetrical, and cameras
+  // stand in the middle of them. A camera that lies on the floor sees both of its sides. So it is points around the
+  // eye that are asked, a little beside where edges go.
+  const dvec3 size = glm::max(glm::abs(eye), dvec3(buffer.scene->bounds.extent()));
+  const double step = 1e-9 * std::max({size.x, size.y, size.z});
+  const Lookup lookup(buffer);
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (lookup.surplus_of_exits(eye + step * dvec3(x + 0.07, y - 0.11, z + 0.05)) != 0) return true;
+  return false;
 }
 
 }  // namespace hybridrt

@@ -84,9 +84,20 @@ struct ShadowQuery {
 
 /// 1 where something lies between the origin and the light, else 0. The answer is that of a ray traced in
 /// double precision against every triangle (intersect_triangle) but its own, not nearly so: what single
-/// precision cannot decide is decided by that same test. Thread-safe.
+/// precision cannot decide is decided by that same test. Only for an origin that lies inside a closed body without
+/// saying so (`anywhere`), as where a pixel's triangle is hidden after all, is that body's lit half not asked.
+/// Thread-safe.
 void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries,
                     std::span<uint8_t> occluded);
+
+/// What a query's cell alone says about its answer, without a look at the triangles in it.
+enum class ShadowCertainty : uint8_t {
+  lit,        ///< nothing over the cell is nearer to the light
+  shadow,     ///< one triangle nearer to the light covers the whole cell
+  unsettled,  ///< ask
+  inside,     ///< ask: the query may start inside a closed body
+};
+void certify(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<ShadowCertainty> certainties);
 
 /// True if a point seen from `eye` may lie inside a closed body: queries that start at what `eye` sees must
 /// then be asked with `anywhere`.

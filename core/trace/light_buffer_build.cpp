@@ -11,6 +11,9 @@ namespace {
 
 constexpr size_t kTrianglesAChunk = 4096;
 constexpr int kRowsAChunk = 4;
+// A cell lists 8 bytes a triangle over it while the buffer is built, and up to 64 then. Ordinary scenes make about
+// three of these a triangle.
+constexpr uint64_t kMostReferences = 1 << 20, kMostReferencesATriangle = 16;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 enum class Part : uint8_t {
@@ -42,8 +45,8 @@ class Builder {
   void run() {
     transform_positions();
     sort_into_parts();
-    choose_grid();
-    count();
+    for (double side = finest_cells(); set_grid(side), !count(); side *= 2) {
+    }
     fill();
     make_entries();
   }
@@ -57,6 +60,18 @@ class Builder {
       return nearest != other.nearest ? nearest < other.nearest : triangle < other.triangle;
     }
   };
+
+  size_t index_of(int x, int y) const { return static_cast<size_t>(y) * buffer_.cells_x + x; }
+
+  template <typename Body>
+  void for_each_chunk(const Body& body) {
+    parallel_for(pool_, parts_.size(), kTrianglesAChunk, body);
+  }
+  template <typename Body>
+  void for_each_triangle(size_t begin, size_t end, const Body& body) const {
+    for (size_t i = begin; i < end; ++i)
+      if (parts_[i] != Part::nothing) body(static_cast<uint32_t>(i), grid_triangle(static_cast<uint32_t>(i)));
+  }
 
   GridTriangle grid_triangle(uint32_t triangle) const {
     const uvec3& corners = scene_.triangle_positions[triangle];
@@ -95,13 +110,16 @@ class Builder {
     kept_ = kept;
   }
 
-  /// Half as many cells as triangles that make entries: measured, see docs/results/trace.md.
-  void choose_grid() {
+  /// The side of half as many cells as triangles that make entries: measured, see docs/results/trace.md.
+  double finest_cells() const {
     const dvec3 size = glm::max(hi_ - lo_, dvec3(0));
     const double wanted = std::clamp(0.5 * static_cast<double>(kept_), 64.0 * 64, 2048.0 * 2048);
     const double longest = std::max({size.x, size.y, 1e-300});
-    double side = std::max(std::sqrt(size.x * size.y / wanted), longest / 4096);
-    if (!(kept_ > 0)) side = longest;
+    return kept_ > 0 ? std::max(std::sqrt(size.x * size.y / wanted), longest / 4096) : longest;
+  }
+
+  void set_grid(double side) {
+    const dvec3 size = glm::max(hi_ - lo_, dvec3(0));
     buffer_.cells_per_unit = 1 / side;
     buffer_.corner = dvec2(lo_) - 0.01 * side;
     buffer_.cells_x = static_cast<int>(size.x / side + 0.02) + 1;
@@ -112,30 +130,30 @@ class Builder {
                          {0, kInfinity, kInfinity, 0});
   }
 
-  template <typename Body>
-  void for_each_triangle_and_cell(const Body& body) {
-    parallel_for(pool_, parts_.size(), kTrianglesAChunk, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        if (parts_[i] == Part::nothing) continue;
-        const auto index = static_cast<uint32_t>(i);
-        const GridTriangle triangle = grid_triangle(index);
-        for_each_cell(triangle, buffer_.cells_x, buffer_.cells_y, [&](int x, int y) {
-          body(index, triangle, x, y, static_cast<size_t>(y) * buffer_.cells_x + x);
-        });
-      }
-    });
-  }
-
-  /// Where each cell's references begin.
-  void count() {
+  /// Where each cell's references begin; false if they are too many, as where thousands of triangles each lie
+  /// over most of the scene.
+  bool count() {
+    const uint64_t most = kMostReferences + kMostReferencesATriangle * parts_.size();
+    std::atomic<uint64_t> total = 0;
     first_.assign(buffer_.cells.size(), 0);
     first_other_.assign(buffer_.cells.size(), 0);
-    for_each_triangle_and_cell([&](uint32_t triangle, const GridTriangle&, int, int, size_t cell) {
-      uint32_t& number = parts_[triangle] == Part::entries ? first_[cell] : first_other_[cell];
-      std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed);
+    for_each_chunk([&](size_t begin, size_t end) {
+      uint64_t counted = total;
+      const uint64_t before = counted;
+      for_each_triangle(begin, end, [&](uint32_t triangle, const GridTriangle& shape) {
+        if (counted > most) return;
+        std::vector<uint32_t>& numbers = parts_[triangle] == Part::entries ? first_ : first_other_;
+        for_each_cell(shape, buffer_.cells_x, buffer_.cells_y, [&](int x, int y) {
+          std::atomic_ref(numbers[index_of(x, y)]).fetch_add(1, std::memory_order_relaxed);
+          ++counted;
+        });
+      });
+      total += counted - before;
     });
+    if (total > most && buffer_.cells.size() > 2) return false;
     references_.resize(begin_each(first_));
     others_.resize(begin_each(first_other_));
+    return true;
   }
 
   /// Turns numbers of things into where they begin; returns how many there are.
@@ -148,15 +166,22 @@ class Builder {
 
   void fill() {
     std::vector<uint32_t> next = first_, next_other = first_other_;
-    for_each_triangle_and_cell([&](uint32_t triangle, const GridTriangle& shape, int x, int y, size_t cell) {
-      if (parts_[triangle] == Part::others) {
-        others_[std::atomic_ref(next_other[cell]).fetch_add(1, std::memory_order_relaxed)] = triangle;
-        return;
-      }
-      const CellView view(shape, x, y);
-      references_[std::atomic_ref(next[cell]).fetch_add(1, std::memory_order_relaxed)] = {view.nearest(),
-                                                                                          triangle};
-      if (view.covers()) lower(buffer_.cells[cell].cover, view.farthest());
+    for_each_chunk([&](size_t begin, size_t end) {
+      for_each_triangle(begin, end, [&](uint32_t triangle, const GridTriangle& shape) {
+        const bool is_other = parts_[triangle] == Part::others;
+        for_each_cell(shape, buffer_.cells_x, buffer_.cells_y, [&](int x, int y) {
+          const size_t cell = index_of(x, y);
+          const uint32_t place =
+              std::atomic_ref((is_other ? next_other : next)[cell]).fetch_add(1, std::memory_order_relaxed);
+          if (is_other) {
+            others_[place] = triangle;
+            return;
+          }
+          const CellView view(shape, x, y);
+          references_[place] = {view.nearest(), triangle};
+          if (view.covers()) lower(buffer_.cells[cell].cover, view.farthest());
+        });
+      });
     });
   }
 

@@ -80,9 +80,9 @@ class CellView {
     lowest_ = triangle.lo.z, highest_ = triangle.hi.z;
     if (!triangle.has_plane) return;
     depth_ = triangle.slope_x * x + triangle.slope_y * y + triangle.depth;
-    const double change = std::abs(triangle.slope_x) + std::abs(triangle.slope_y);
-    lowest_ = std::max(lowest_, depth_ - change);
-    highest_ = std::min(highest_, depth_ + change);
+    change_ = std::abs(triangle.slope_x) + std::abs(triangle.slope_y);
+    lowest_ = std::max(lowest_, depth_ - change_ - plane_error());
+    highest_ = std::min(highest_, depth_ + change_ + plane_error());
   }
 
   /// Every point of the cell is certainly inside the edge.
@@ -106,25 +106,28 @@ class CellView {
       made.b[edge] = static_cast<float>(b * per_length);
       made.c[edge] = always ? 1 : static_cast<float>(distance_[edge] * per_length);
     }
-    const double change = std::abs(triangle_.slope_x) + std::abs(triangle_.slope_y);
-    const double error = kCellError * (1 + change + std::abs(depth_));
-    const bool known = triangle_.has_plane && error < 1;
+    const bool known = triangle_.has_plane && plane_error() < 1;
     made.a[3] = known ? static_cast<float>(-triangle_.slope_x) : 0;
     made.b[3] = known ? static_cast<float>(-triangle_.slope_y) : 0;
     made.c[3] = known ? static_cast<float>(-depth_) : 0;
     made.nearest = nearest();
     made.triangle = triangle;
     made.unused = 0;
-    made.depth_error = known ? static_cast<float>(error) : std::numeric_limits<float>::max();
+    made.depth_error = known ? static_cast<float>(plane_error()) : std::numeric_limits<float>::max();
     return made;
   }
 
  private:
   static constexpr double kDepthRoom = 0x1p-21;
 
+  /// How far off its depth at a point of the cell may be: the steeper the plane, the more.
+  double plane_error() const { return kCellError * (1 + change_ + std::abs(depth_)); }
+
   const GridTriangle& triangle_;
   double distance_[3];
-  double depth_ = 0, lowest_, highest_;
+  double depth_ = 0;   ///< of the plane, at the cell's centre
+  double change_ = 0;  ///< and how much it differs in the farthest corner
+  double lowest_, highest_;
 };
 
 /// Calls body(i, j) for every cell of the grid that the triangle may touch, row after row.

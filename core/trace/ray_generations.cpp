@@ -32,6 +32,8 @@ void TraceStats::add(const TraceStats& other) {
   primary_shadow_rays += other.primary_shadow_rays;
   reflection_rays += other.reflection_rays;
   refraction_rays += other.refraction_rays;
+  pixels_suspect += other.pixels_suspect;
+  pixels_repaired += other.pixels_repaired;
   shadow_cpu_ms += other.shadow_cpu_ms;
   secondary_cpu_ms += other.secondary_cpu_ms;
 }
@@ -96,15 +98,17 @@ void RayGenerations<Real>::take_batch() {
   tags_.resize(first);
 }
 
+/// Nothing where the light does not reach that side of the surface.
 template <typename Real>
-ShadowQuery RayGenerations<Real>::shadow_query(size_t i) const {
+std::optional<ShadowQuery> RayGenerations<Real>::shadow_query(size_t i) const {
   const Tag& tag = batch_tags_[i];
-  ShadowQuery query{dvec3(leave(surfaces_[i], to_light_).origin), hits_[i].triangle, surfaces_[i].from_outside};
+  std::optional<ShadowQuery> query;
   if (tag.generation == 0)
-    if (const auto exact = primary_shadow_query(job_.scene, hits_[i].triangle, job_.view.eye,
-                                                primary_dirs_[tag.pixel], job_.light.toward))
-      query = *exact;
-  query.anywhere = job_.eye_enclosed || tag.refracted;
+    query = primary_shadow_query(job_.scene, hits_[i].triangle, job_.view.eye, primary_dirs_[tag.pixel],
+                                 job_.light.toward);
+  else if (glm::dot(surfaces_[i].side, to_light_) > 0)
+    query = ShadowQuery{dvec3(leave(surfaces_[i], to_light_).origin), hits_[i].triangle, surfaces_[i].from_outside};
+  if (query) query->anywhere = job_.eye_enclosed || tag.refracted;
   return query;
 }
 
@@ -116,13 +120,17 @@ void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
   shadow_owner_.clear();
   lit_.assign(hits_.size(), 0);
   for (size_t i = 0; i < hits_.size(); ++i) {
-    if (!hits_[i].found() || glm::dot(surfaces_[i].side, to_light_) <= 0) continue;  // unlit side: no ray
+    if (!hits_[i].found()) continue;
+    if (job_.shadows && job_.light_buffer) {
+      const std::optional<ShadowQuery> query = shadow_query(i);
+      if (!query) continue;
+      shadow_queries_.push_back(*query);
+    } else {
+      if (glm::dot(surfaces_[i].side, to_light_) <= 0) continue;  // the unlit side needs no ray
+      if (job_.shadows) shadow_rays_.push_back(leave(surfaces_[i], to_light_));
+    }
     lit_[i] = 1;
     if (!job_.shadows) continue;
-    if (job_.light_buffer)
-      shadow_queries_.push_back(shadow_query(i));
-    else
-      shadow_rays_.push_back(leave(surfaces_[i], to_light_));
     shadow_owner_.push_back(static_cast<uint32_t>(i));
     stats.primary_shadow_rays += batch_tags_[i].generation == 0;
   }

@@ -4,6 +4,7 @@
 #include "core/trace/scatter.h"
 #include "core/trace/trace_job.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,7 +50,7 @@ class RayGenerations {
 
   void take_batch();
   void ask_shadow_rays(TraceStats& stats);
-  ShadowQuery shadow_query(size_t in_batch) const;
+  std::optional<ShadowQuery> shadow_query(size_t in_batch) const;
   void scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& dir, TraceStats& stats);
   void push(const Ray<Real>& ray, const Tag& tag);
 

@@ -31,6 +31,9 @@ struct TraceStats {
   double shadow_cpu_ms = 0;     ///< thread time of the primary generation's shadow rays
   double secondary_cpu_ms = 0;  ///< thread time of everything after the primary generation
 
+  int64_t pixels_suspect = 0, pixels_repaired = 0;  ///< see RepairStats
+  double repair_ms = 0;                             ///< wall time of settling the suspects
+
   void add(const TraceStats& other);
 };
 

@@ -75,7 +75,7 @@ class InspectTest(unittest.TestCase):
         self.cube(MIRROR)
         text = self.text("cube.obj")
         for part in ("cube.mtl", "1 closed, 0 open", "closed, wound outward", "mirror", "nothing\n",
-                     "pass 1 shadow map     once        2048 x 2048 texels; the light stands still",
+                     "pass 1 light buffer   once        answers all shadow rays",
                      "pass 4 reflections    each frame  up to 4 generations"):
             self.assertIn(part, text)
         self.assertLessEqual(max(len(line) for line in text.splitlines()), 120)

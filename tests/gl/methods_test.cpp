@@ -103,11 +103,15 @@ TEST_F(Methods, BlurDiffersFromRaysInFewPixels) {
   const RenderJob job = orbit_job(kScene, 3, 320, 240);
   const auto blur = render_with(job, Method::hybrid, ShadowMode::blur);
   const auto rays = render_with(job, Method::hybrid, ShadowMode::rays);
-  size_t wrong = 0, pixels = 0;
+  size_t wrong = 0, pixels = 0, repaired = 0;
   for (size_t i = 0; i < blur.size(); ++i) {
-    EXPECT_TRUE(aov(blur[i], "id").data == aov(rays[i], "id").data);
+    const Image ids_a = aov(blur[i], "id"), ids_b = aov(rays[i], "id");
     const Image a = aov(blur[i], "shadow"), b = aov(rays[i], "shadow"), marked = aov(blur[i], "marked");
     for (size_t p = 0; p < a.pixel_count(); ++p) {
+      if (!same_pixel(ids_a, ids_b, p)) {  // only `rays` and `exact` repair what the raster snapped aside
+        ++repaired;
+        continue;
+      }
       const bool differs = !same_pixel(a, b, p);
       wrong += differs;
       EXPECT_FALSE(differs && marked.data[3 * p] > 0) << "a marked pixel has its own ray";
@@ -122,6 +126,7 @@ TEST_F(Methods, BlurDiffersFromRaysInFewPixels) {
     EXPECT_EQ(rays[i].stats.pixels_marked, rays[i].stats.pixels_hit);
   }
   EXPECT_LE(wrong, pixels / 10000);
+  EXPECT_LE(repaired, pixels / 500);
   RecordProperty("wrong_per_million", static_cast<int>(1e6 * wrong / pixels));
 }
 
@@ -165,8 +170,10 @@ TEST_F(Methods, WithoutShadowsNothingIsDarker) {
   const auto none = render_with(job, Method::hybrid, ShadowMode::none);
   const auto rays = render_with(job, Method::hybrid, ShadowMode::rays);
   EXPECT_EQ(none[0].stats.shadow_rays, 0);
+  const Image ids_a = aov(none[0], "id"), ids_b = aov(rays[0], "id");
   size_t darker = 0;
   for (size_t i = 0; i < none[0].picture.data.size(); ++i) {
+    if (!same_pixel(ids_a, ids_b, i / 3)) continue;
     EXPECT_GE(none[0].picture.data[i], rays[0].picture.data[i]);
     darker += none[0].picture.data[i] > rays[0].picture.data[i];
   }

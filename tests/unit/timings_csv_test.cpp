@@ -52,7 +52,7 @@ TEST_F(TimingsCsvTest, HeaderAndEveryColumn) {
   for (size_t i = 0; i < frame.timings.pass_ms.size(); ++i)
     frame.timings.pass_ms[i] = 10.5 + static_cast<double>(i);
   frame.timings.wall_ms = 99.25;
-  frame.stats = {21, 22, 23, 24, 25, 26, 27, 28, 29.5, 30.5};
+  frame.stats = {21, 22, 23, 24, 25, 26, 27, 28, 29.5, 30.5, 31, 32, 33.5};
   TimingsCsv csv(path());
   csv.add(frame, 1);
   csv.file_written(12, 7.125);
@@ -74,7 +74,8 @@ TEST_F(TimingsCsvTest, HeaderAndEveryColumn) {
       {"write_ms", 7.125},     {"wall_ms", 99.25},        {"pixels_hit", 21},
       {"pixels_marked", 22},   {"pixels_reflective", 23}, {"pixels_refractive", 24},
       {"shadow_rays", 25},     {"reflection_rays", 27},   {"refraction_rays", 28},
-      {"shadow_cpu_ms", 29.5}, {"secondary_cpu_ms", 30.5}};
+      {"shadow_cpu_ms", 29.5}, {"secondary_cpu_ms", 30.5}, {"pixels_suspect", 31},
+      {"pixels_repaired", 32}, {"repair_ms", 33.5}};
   for (const auto& [name, value] : expected) EXPECT_EQ(row.at(name), value) << name;
 }
 

@@ -109,8 +109,8 @@ Scene with_duplicates(uint32_t seed) {
 Scene closed_box() {
   Scene scene;
   for (int i = 0; i < 8; ++i) scene.positions.push_back(vec3(i & 1, i >> 1 & 1, i >> 2 & 1));
-  add_quad(scene, 0, 1, 3, 2), add_quad(scene, 4, 5, 7, 6), add_quad(scene, 0, 1, 5, 4);
-  add_quad(scene, 2, 3, 7, 6), add_quad(scene, 0, 2, 6, 4), add_quad(scene, 1, 3, 7, 5);
+  add_quad(scene, 0, 2, 3, 1), add_quad(scene, 4, 5, 7, 6), add_quad(scene, 0, 1, 5, 4);
+  add_quad(scene, 2, 6, 7, 3), add_quad(scene, 0, 4, 6, 2), add_quad(scene, 1, 3, 7, 5);
   return finish(std::move(scene));
 }
 

@@ -35,7 +35,7 @@ Scene coplanar_field(uint32_t seed, int triangles);  ///< overlapping, all in z 
 Scene slivers(uint32_t seed, int triangles);         ///< aspect about 1e6
 Scene with_degenerates(uint32_t seed);               ///< random soup, a third zero-area
 Scene with_duplicates(uint32_t seed);                ///< every triangle three times, at scattered indices
-Scene closed_box();                                  ///< [0,1]^3, 12 triangles sharing 8 vertices
+Scene closed_box();                                  ///< [0,1]^3, wound outward, sharing 8 vertices
 Scene closed_sphere(int segments, int rings);        ///< unit, at 0, sharing vertices
 
 struct NamedScene {
