@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/image/srgb.h"
 #include "core/image_io/oiio_setup.h"
+#include "core/image_io/png_check.h"
 
 namespace hybridrt {
 namespace fs = std::filesystem;
@@ -73,6 +74,8 @@ Input find_reader(const fs::path& path, std::string& problem) {
 
 Input open_image(const fs::path& path) {
   require_regular_file(path);
+  if (const std::string fault = png_fault(path); !fault.empty())
+    throw error(ErrorKind::input, "{}: broken image: {}; write or copy it again", path.string(), fault);
   set_up_oiio();
   std::string problem;
   Input input = find_reader(path, problem);

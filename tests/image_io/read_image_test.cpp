@@ -89,6 +89,20 @@ TEST(ReadImage, RefusesFilesCutShort) {
   }
 }
 
+// libpng would write of them to standard error.
+TEST(ReadImage, DamagedPngsAreToldOfByUs) {
+  const std::string bytes = EncodedFile::as_string(encode_image(gradient(20, 20, 3), "png"));
+  testing::internal::CaptureStderr();
+  for (size_t size = 8; size < bytes.size(); size += 7)
+    expect_refused(EncodedFile(bytes.substr(0, size), "png").path, "it is cut short");
+  for (size_t place : {size_t{20}, bytes.size() / 2, bytes.size() - 2}) {
+    std::string damaged = bytes;
+    damaged[place] = static_cast<char>(damaged[place] ^ 4);
+    expect_refused(EncodedFile(damaged, "png").path, "checksum");
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(ReadImage, RefusesHugeSizesBeforeAllocating) {
   expect_refused(EncodedFile(bmp_header(65501, 1), "bmp").path, "too large");
   expect_refused(EncodedFile(bmp_header(1, 65501), "bmp").path, "too large");
