@@ -20,6 +20,12 @@ for shadows in map blur; do
     --shadows "$shadows" -o "$out/shadows_$shadows.png"
 done
 
+# Glass and a polished board by generations of rays: none, one (the paper's figures), the default.
+for depth in 0 1 4; do
+  render scene:chess,triangles=600000 --size 1200x900 --crop 560,250,400,300 --reflection-depth "$depth" \
+    -o "$out/depth_$depth.png"
+done
+
 # The paper's measuring scene.
 render scene:spheres,triangles=500000,reflective=10 --size 800x600 -o "$out/spheres.png"
 rm -f "$out/run.json"
