@@ -41,8 +41,10 @@ Scene block(const vec3& lo, const vec3& hi) {
 /// A prism along z over the triangle (0,0), (1,0), (0,1), wound outward.
 Scene right_angled_prism() {
   Scene scene;
-  for (float z : {-1.0f, 1.0f}) scene.positions.insert(scene.positions.end(), {{0, 0, z}, {1, 0, z}, {0, 1, z}});
-  scene.triangle_positions = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+  for (float z : {-1.0f, 1.0f})
+    scene.positions.insert(scene.positions.end(), {{0, 0, z}, {1, 0, z}, {0, 1, z}});
+  scene.triangle_positions = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
+                              {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
   scene.bounds = compute_bounds(scene);
   return scene;
 }
@@ -90,20 +92,22 @@ TEST(Optics, SlabShiftsByTheBookFormula) {
     const GlassBody slab(as_glass(block({-64, -2, -64}, {64, 0, 64}), n, false));
     for (const double a_deg : {0.0, 1.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0}) {
       const double a = a_deg * kPi / 180, b = std::asin(std::sin(a) / n);
-      const dvec3 dir(std::sin(a) * 0.8, -std::cos(a), std::sin(a) * 0.6), start = dvec3(0.123, 0, 0.456) - dir;
+      const dvec3 dir(std::sin(a) * 0.8, -std::cos(a), std::sin(a) * 0.6),
+          start = dvec3(0.123, 0, 0.456) - dir;
       const Path path = slab.follow({start, dir});
       ASSERT_TRUE(path.out && path.refracted == 2 && path.reflected == 0) << n << ' ' << a_deg;
       EXPECT_LT(glm::distance(path.ray.dir, dir), 1e-12) << n << ' ' << a_deg;
       const double shift = glm::length(glm::cross(path.ray.origin - start, dir));
-      EXPECT_NEAR(shift, thickness * std::sin(a) * (1 - std::cos(a) / (n * std::cos(b))), 1e-9) << n << ' ' << a_deg;
+      EXPECT_NEAR(shift, thickness * std::sin(a) * (1 - std::cos(a) / (n * std::cos(b))), 1e-9)
+          << n << ' ' << a_deg;
       const double mirrored = fresnel_dielectric(std::cos(a), std::cos(b), 1 / double(n));
       EXPECT_NEAR(path.weight, (1 - mirrored) * (1 - mirrored), 1e-12) << "both faces reflect the same share";
     }
   }
 }
 
-// A ball bends a ray that passes its middle at distance h by 2 (a - b), sin a = h / R, sin b = h / (n R), toward a
-// point R sin a / sin 2(a - b) behind the middle: for small h the focus, f = n R / (2 (n - 1)).
+// A ball bends a ray that passes its middle at distance h by 2 (a - b), sin a = h / R, sin b = h / (n R),
+// toward a point R sin a / sin 2(a - b) behind the middle: for small h the focus, f = n R / (2 (n - 1)).
 TEST(Optics, BallLensHasTheBooksFocus) {
   for (const float n : {1.5f, 1.75f, 2.5f}) {
     const GlassBody ball(as_glass(closed_sphere(256, 128), n, true));
@@ -128,8 +132,8 @@ TEST(Optics, BallLensHasTheBooksFocus) {
   }
 }
 
-// Light that enters the long side of a right-angled prism straight on is sent back by its two short sides, at 45
-// degrees past the critical angle; only entering and leaving cost light.
+// Light that enters the long side of a right-angled prism straight on is sent back by its two short sides, at
+// 45 degrees past the critical angle; only entering and leaving cost light.
 TEST(Optics, PrismSendsAllLightBack) {
   const GlassBody prism(as_glass(right_angled_prism(), 1.5f, false));
   const dvec3 dir = glm::normalize(dvec3(-1, -1, 0));
@@ -141,18 +145,20 @@ TEST(Optics, PrismSendsAllLightBack) {
   EXPECT_NEAR(path.weight, 0.96 * 0.96, 1e-12);
 }
 
-// Past the critical angle (41.8 degrees for n = 1.5) at the long sides, and then at the ends too: light stays in a
-// block for good and loses nothing. Within it, some leaves at the first bounce.
+// Past the critical angle (41.8 degrees for n = 1.5) at the long sides, and then at the ends too: light stays
+// in a block for good and loses nothing. Within it, some leaves at the first bounce.
 TEST(Optics, TrappedLightKeepsAllItsWeight) {
   const GlassBody block_of_glass(as_glass(block({-8, -1, -8}, {8, 0, 8}), 1.5f, false));
   for (const double beyond : {1e-6, 1e-9}) {
     const double a = std::asin(1 / 1.5) + beyond;
-    const Path path = block_of_glass.follow({dvec3(-7.5, -0.5, 0.1), dvec3(std::sin(a), std::cos(a), 0)}, 500);
+    const Path path =
+        block_of_glass.follow({dvec3(-7.5, -0.5, 0.1), dvec3(std::sin(a), std::cos(a), 0)}, 500);
     EXPECT_EQ(path.reflected, 500);
     EXPECT_EQ(path.weight, 1);
   }
   const double a = std::asin(1 / 1.5) - 1e-4;
-  EXPECT_EQ(block_of_glass.follow({dvec3(-7.5, -0.5, 0.1), dvec3(std::sin(a), std::cos(a), 0)}, 1).refracted, 1);
+  EXPECT_EQ(block_of_glass.follow({dvec3(-7.5, -0.5, 0.1), dvec3(std::sin(a), std::cos(a), 0)}, 1).refracted,
+            1);
 }
 
 }  // namespace

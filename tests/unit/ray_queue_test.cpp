@@ -70,7 +70,8 @@ TEST(RayQueue, StaysShortHoweverManyBranchesThereAre) {
     std::vector<RayGenerations<float>::PrimaryHit> hits(kPrimary);
     generations.run(colors, hits, stats);
 
-    EXPECT_EQ(caster.taken, kPrimary * ((int64_t{2} << depth) - 1)) << "every branch was followed, depth " << depth;
+    EXPECT_EQ(caster.taken, kPrimary * ((int64_t{2} << depth) - 1))
+        << "every branch was followed, depth " << depth;
     EXPECT_EQ(caster.largest_batch, std::min(kBatch, kPrimary << depth));
     EXPECT_LE(caster.longest_queue, kPrimary + 2 * kBatch * depth) << depth;
     // While generations fit batches, steps are generations: then the queue holds one of them and no more.
@@ -95,7 +96,8 @@ TEST(RayQueue, DepthZeroFiresNothing) {
   const CountingCaster caster(tree, stats);
   RayGenerations<float> generations(job, &caster);
   const Surface<float> surface = surface_at(scene, 0, 0.2f, 0.2f, vec3(1, 0, 0));
-  for (uint32_t pixel = 0; pixel < kPrimary; ++pixel) generations.add_scattered(pixel, surface, {1, 0, 0}, stats);
+  for (uint32_t pixel = 0; pixel < kPrimary; ++pixel)
+    generations.add_scattered(pixel, surface, {1, 0, 0}, stats);
   std::vector<vec3> colors(kPrimary);
   generations.run(colors, {}, stats);
   EXPECT_EQ(caster.taken, 0);

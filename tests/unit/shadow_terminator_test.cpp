@@ -1,5 +1,5 @@
-// Where smooth normals and flat facets disagree about the light: the convention of docs/method.md on a ball of eight
-// segments, and how many pixels show its facets by it.
+// Where smooth normals and flat facets disagree about the light: the convention of docs/method.md on a ball
+// of eight segments, and how many pixels show its facets by it.
 
 #include <gtest/gtest.h>
 
@@ -32,12 +32,13 @@ dvec3 face_normal(const Scene& scene, uint32_t t) {
 dvec2 in_pixels(const View& view, const dvec3& point) {
   const dvec3 p = point - view.eye;
   const double depth = glm::dot(p, view.forward);
-  return 0.5 * kSize_px * (1.0 + dvec2(glm::dot(p, view.right) / (view.tan_half_width * depth),
-                                       -glm::dot(p, view.up) / (view.tan_half_height * depth)));
+  return 0.5 * kSize_px *
+         (1.0 + dvec2(glm::dot(p, view.right) / (view.tan_half_width * depth),
+                      -glm::dot(p, view.up) / (view.tan_half_height * depth)));
 }
 
-/// Pixels covered by the part of a triangle where `toward` and the interpolated normal, here the point itself, look the
-/// same way: a half-space cuts it off.
+/// Pixels covered by the part of a triangle where `toward` and the interpolated normal, here the point
+/// itself, look the same way: a half-space cuts it off.
 double lit_by_normals_px(const Scene& scene, uint32_t t, const View& view, const dvec3& toward) {
   std::vector<dvec2> corners;
   for (int k = 0; k < 3; ++k) {
@@ -74,8 +75,8 @@ class ShadowTerminator : public testing::Test {
     TraceStats stats;
   };
 
-  /// A facet turned away is in shadow, any other one of a convex body in light, to the pixel; as many pixels show it
-  /// as the geometry says; and only those in light have asked a ray.
+  /// A facet turned away is in shadow, any other one of a convex body in light, to the pixel; as many pixels
+  /// show it as the geometry says; and only those in light have asked a ray.
   void expect_convention(const Seen& seen, const View& view, const dvec3& toward) const {
     int faceted = 0, wrong = 0, lit = 0;
     for (int i = 0; i < kPixels; ++i) {

@@ -1,8 +1,7 @@
 // That no ray leaves a closed body, in double precision, by counting to ten million.
 
-#include <gtest/gtest.h>
-
 #include <atomic>
+#include <gtest/gtest.h>
 
 #include "closed_mesh.h"
 #include "core/scene/chess.h"
@@ -18,16 +17,16 @@ constexpr int kProofRays = 1'000'000;  // ten times slower
 constexpr int kProofRays = 10'000'000;
 #endif
 
-/// How often the scene's surface winds around a point: the solid angles of its triangles (van Oosterom and Strackee
-/// 1983), summed up.
+/// How often the scene's surface winds around a point: the solid angles of its triangles (van Oosterom and
+/// Strackee 1983), summed up.
 double winding_number(const Scene& scene, const dvec3& point) {
   double sum = 0;
   for (uint32_t t = 0; t < scene.triangle_count(); ++t) {
     const dvec3 a = dvec3(scene.vertex(t, 0)) - point, b = dvec3(scene.vertex(t, 1)) - point,
                 c = dvec3(scene.vertex(t, 2)) - point;
     const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-    sum += 2 * std::atan2(glm::dot(a, glm::cross(b, c)), la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la +
-                                                             glm::dot(c, a) * lb);
+    sum += 2 * std::atan2(glm::dot(a, glm::cross(b, c)),
+                          la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
   }
   return sum / (4 * kPi);
 }
@@ -47,7 +46,8 @@ std::vector<Inside> points_inside(const Scene& scene, const std::vector<uint32_t
     const uint32_t t = random.below(static_cast<uint32_t>(scene.triangle_count()));
     const dvec3 a(scene.vertex(t, 0)), b(scene.vertex(t, 1)), c(scene.vertex(t, 2));
     const dvec3 normal = glm::cross(b - a, c - a), middle = (a + b + c) / 3.0;
-    Inside inside{middle - 0.2 / std::sqrt(glm::length(normal)) * normal, body_of[scene.triangle_positions[t].x], {}};
+    Inside inside{
+        middle - 0.2 / std::sqrt(glm::length(normal)) * normal, body_of[scene.triangle_positions[t].x], {}};
     Scene body;
     body.positions = scene.positions;
     for (uint32_t other = 0; other < scene.triangle_count(); ++other)
@@ -60,8 +60,8 @@ std::vector<Inside> points_inside(const Scene& scene, const std::vector<uint32_t
   return found;
 }
 
-/// Rays from inside a body to its exact vertices, and to points of its edges as exact as double is; how many meet
-/// nothing, or another body, before they meet their own.
+/// Rays from inside a body to its exact vertices, and to points of its edges as exact as double is; how many
+/// meet nothing, or another body, before they meet their own.
 int64_t count_leaks(const Scene& scene, int64_t count, ThreadPool& pool) {
   constexpr int64_t kBatch = 10000;
   const std::vector<uint32_t> body_of = components_of(scene);
