@@ -96,6 +96,8 @@ json inspection_json(const Inspection& in) {
           {"normals",
            {{"given_corners", 3 * scene.triangle_count() - scene.built_normal_corners},
             {"built_corners", scene.built_normal_corners}}},
+          {"textures",
+           {{"bytes", scene.textures ? 4 * scene.textures->words.size() : 0}, {"holes", scene.has_holes()}}},
           {"bounds", {{"lo", array_of(scene.origin_world + lo)}, {"hi", array_of(scene.origin_world + hi)}}},
           {"extent", array_of(hi - lo)},
           {"origin_world", array_of(scene.origin_world)},

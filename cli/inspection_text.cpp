@@ -60,6 +60,9 @@ std::string loaded_text(const Inspection& in) {
   out += fmt::format("  {:<12}{}  to  {}\n", "bounds", point(scene.origin_world + lo),
                      point(scene.origin_world + hi));
   out += fmt::format("  {:<12}{}\n", "extent", point(hi - lo));
+  if (scene.textures)
+    out += fmt::format("  {:<12}{}{}\n", "textures", size_text(4 * scene.textures->words.size()),
+                       scene.has_holes() ? ", some with holes" : "");
   if (scene.origin_world != dvec3(0))
     out += fmt::format("  {:<12}moved to {} to keep precision\n", "origin", point(scene.origin_world));
   return out;

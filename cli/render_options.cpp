@@ -3,6 +3,7 @@
 #include "cli/camera_options.h"
 #include "cli/light_options.h"
 #include "cli/option_values.h"
+#include "core/image_io/read_image.h"
 #include "core/render/memory_estimate.h"
 #include "core/scene/loading_bytes.h"
 #include "core/scene/procedural.h"
@@ -77,7 +78,7 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings,
   require_room_for_frames(job.settings, job.threads, job.frames.count(), job.most_bytes);
 
   ThreadPool pool(job.threads);
-  job.scene = load_scene(o.scene, pool, warnings, up_axis, {job.most_bytes, progress});
+  job.scene = load_scene(o.scene, pool, warnings, up_axis, {job.most_bytes, progress, read_texels});
   require_room_for_scene(o.scene, estimate_memory(job.scene, make_scene_facts(job.scene), job.settings, job.accel,
                                                   /*light_moves=*/true, job.threads, job.frames.count()).total(),
                          job.most_bytes);

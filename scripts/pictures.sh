@@ -29,6 +29,12 @@ render "${thin[@]}" --shadows exact -o "$out/triptych_exact.png" --aov marked
   [ $? = 6 ] # they differ, which is what is shown
 rm "$out"/triptych_blur*.png "$out"/triptych_truth*.png
 
+# Glass and a polished board by generations of rays: none, one (the paper's figures), the default.
+for depth in 0 1 4; do
+  render scene:chess,triangles=600000 --size 1200x900 --crop 560,250,400,300 --reflection-depth "$depth" \
+    -o "$out/depth_$depth.png"
+done
+
 # The paper's measuring scene.
 render scene:spheres,triangles=500000,reflective=10 --size 800x600 --samples 16 -o "$out/spheres.png"
 rm -f "$out/run.json"

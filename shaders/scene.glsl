@@ -1,5 +1,6 @@
 // The scene's arrays and the pixel's ray, as compute passes see them.
 #define Real float
+#define Vec2 vec2
 #define Vec3 vec3
 #define HRT_FN
 #include "shared.h"

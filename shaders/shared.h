@@ -28,11 +28,43 @@
 #define HRT_UNIT_TRIANGLE_NORMALS 7
 #define HRT_UNIT_TRIANGLE_MATERIALS 8
 #define HRT_UNIT_MATERIALS 9
+#define HRT_UNIT_TEXTURE_WORDS 10
+#define HRT_UNIT_TEXCOORDS 11
+#define HRT_UNIT_TRIANGLE_TEXCOORDS 12
+#define HRT_UNIT_TRIANGLE_MAPS 13
 
 // Image unit of a compute pass's only output.
 #define HRT_IMAGE_OUT 0
 
-// Texels (RGBA32F) a material: (Kd, Ns) (Ks, opacity) (Ke, 0).
+// Texels (RGBA32F) a material: (Kd, Ns) (Ks, opacity) (Ke, texture maps as a number).
 #define HRT_MATERIAL_TEXELS 3
+
+// All textures are one array of 32-bit words:
+//  - 256 floats: the linear value of each 8-bit display code (sRGB);
+//  - a set of maps a material: of each kind the index of its record, or 0;
+//  - records, of the words below;
+//  - texels, rows from the top, mip levels one after the other, each half as wide and as high (rounded down, at least
+//    1): red in the lowest byte, green, blue, alpha.
+// As a GL texture the array is as wide as this; word i stands at (i % width, i / width).
+#define HRT_TEXTURE_WORDS_WIDTH_SHIFT 14
+
+#define HRT_MAP_DIFFUSE 0u
+#define HRT_MAP_SPECULAR 1u
+#define HRT_MAP_EMITTED 2u
+#define HRT_MAP_HOLES 3u
+#define HRT_MAP_KINDS 4u
+
+#define HRT_TEXTURE_WIDTH 0u
+#define HRT_TEXTURE_HEIGHT 1u
+#define HRT_TEXTURE_LEVELS 2u
+#define HRT_TEXTURE_FIRST 3u  // texel, as an index of a word
+#define HRT_TEXTURE_FLAGS 4u
+#define HRT_TEXTURE_SCALE 5u   // two floats: of the texture coordinates
+#define HRT_TEXTURE_OFFSET 7u  // two floats
+#define HRT_TEXTURE_BASE 9u    // float; the value is base + gain * texel
+#define HRT_TEXTURE_GAIN 10u
+#define HRT_TEXTURE_RECORD 11u
+
+#define HRT_TEXTURE_CLAMPED 1u
 
 #endif

@@ -27,7 +27,7 @@ ARROWS = {
 ABOVE_CORE = {"cli": ["core"], "tests": ["core", "cli", "shaders"]}
 
 # What C++ and GLSL share; anyone may include these, no one another shader.
-SHARED_WITH_GLSL = ["shaders/shared.h", "shaders/surface.glsl"]
+SHARED_WITH_GLSL = ["shaders/shared.h", "shaders/surface.glsl", "shaders/texture.glsl"]
 
 # Third-party headers by their beginning, and the only folders or files that may include them.
 FENCES = {

@@ -38,8 +38,8 @@
   X(GETUNIFORMLOCATION, GetUniformLocation) X(PROGRAMUNIFORM1I, ProgramUniform1i)                  \
   X(PROGRAMUNIFORM1F, ProgramUniform1f) X(PROGRAMUNIFORM3FV, ProgramUniform3fv)                    \
   X(PROGRAMUNIFORMMATRIX4FV, ProgramUniformMatrix4fv)                                              \
-  X(DRAWELEMENTS, DrawElements) X(DISPATCHCOMPUTE, DispatchCompute)                                \
-  X(MEMORYBARRIER, MemoryBarrier) X(FLUSH, Flush)                                                  \
+  X(DRAWELEMENTS, DrawElements) X(DRAWARRAYS, DrawArrays)                                          \
+  X(DISPATCHCOMPUTE, DispatchCompute) X(MEMORYBARRIER, MemoryBarrier) X(FLUSH, Flush)              \
   X(CREATEQUERIES, CreateQueries) X(DELETEQUERIES, DeleteQueries) X(QUERYCOUNTER, QueryCounter)    \
   X(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                                                      \
   X(FENCESYNC, FenceSync) X(CLIENTWAITSYNC, ClientWaitSync) X(DELETESYNC, DeleteSync)              \

@@ -69,6 +69,11 @@ VertexArray::VertexArray(const Functions& gl, const Buffer& positions, const Buf
   gl.VertexArrayAttribBinding(id_, 0, 0);
 }
 
+VertexArray::VertexArray(const Functions& gl, const std::string& label)
+    : Handle(gl, create(gl.CreateVertexArrays)) {
+  set_label(gl, GL_VERTEX_ARRAY, id_, label);
+}
+
 Fence::Fence(const Functions& gl) : gl_(gl), sync_(gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)) {}
 
 Fence::~Fence() { gl_.DeleteSync(sync_); }

@@ -62,6 +62,8 @@ struct Framebuffer : Handle<&Functions::DeleteFramebuffers> {
 struct VertexArray : Handle<&Functions::DeleteVertexArrays> {
   VertexArray() = default;
   VertexArray(const Functions& gl, const Buffer& positions, const Buffer& indices, const std::string& label);
+  /// Without attributes, for shaders that fetch what they need.
+  VertexArray(const Functions& gl, const std::string& label);
 };
 
 /// A mark in the command stream that the CPU can wait for.

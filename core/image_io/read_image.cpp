@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/image/srgb.h"
 #include "core/image_io/oiio_setup.h"
+#include "core/image_io/png_check.h"
 
 namespace hybridrt {
 namespace fs = std::filesystem;
@@ -73,6 +74,8 @@ Input find_reader(const fs::path& path, std::string& problem) {
 
 Input open_image(const fs::path& path) {
   require_regular_file(path);
+  if (const std::string fault = png_fault(path); !fault.empty())
+    throw error(ErrorKind::input, "{}: broken image: {}; write or copy it again", path.string(), fault);
   set_up_oiio();
   std::string problem;
   Input input = find_reader(path, problem);
@@ -107,6 +110,46 @@ Image read_pixels(const fs::path& path, OIIO::ImageInput& input) {
   return image;
 }
 
+/// One pixel's channels, of 8 bits, as a texel.
+uint32_t texel_of(const uint8_t* codes, int channels) {
+  const uint32_t red = codes[0], green = channels > 2 ? codes[1] : red, blue = channels > 2 ? codes[2] : red;
+  const int alpha = alpha_channel(channels);
+  return red | green << 8 | blue << 16 | (alpha >= 0 ? uint32_t{codes[alpha]} : 255u) << 24;
+}
+
+/// Display codes of rows of the file's numbers, in strips as read_pixels.
+TexelImage read_codes(const fs::path& path, OIIO::ImageInput& input) {
+  const OIIO::ImageSpec spec = input.spec();
+  const int channels = std::min(spec.nchannels, 4);
+  const bool floats = spec.format.is_floating_point();
+  TexelImage image;
+  image.width_px = spec.width, image.height_px = spec.height;
+  image.has_alpha = alpha_channel(channels) >= 0;
+  image.texels.reserve(static_cast<size_t>(spec.width) * spec.height);
+  const int strip = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : 64;
+  Image linear;
+  std::vector<uint8_t> codes;
+  for (int y = 0; y < spec.height; y += strip) {
+    const int rows = std::min(strip, spec.height - y);
+    const size_t values = static_cast<size_t>(spec.width) * rows * channels;
+    codes.resize(values);
+    if (floats) linear = Image(spec.width, rows, channels);
+    void* const target = floats ? static_cast<void*>(linear.data.data()) : codes.data();
+    const OIIO::TypeDesc type = floats ? OIIO::TypeFloat : OIIO::TypeUInt8;
+    const bool read =
+        spec.tile_width > 0
+            ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + y + rows, spec.z, spec.z + 1, 0,
+                               channels, type, target)
+            : input.read_scanlines(0, 0, spec.y + y, spec.y + y + rows, 0, 0, channels, type, target);
+    if (!read)
+      throw error(ErrorKind::input, "{}: broken image, row {} and on: {}; write or copy it again", path.string(), y,
+                  one_line(input.geterror()));
+    if (floats) codes = srgb8_from_linear(linear);
+    for (size_t i = 0; i < values; i += channels) image.texels.push_back(texel_of(&codes[i], channels));
+  }
+  return image;
+}
+
 Image read(const fs::path& path, bool linear) try {
   const Input input = open_image(path);
   Image image = read_pixels(path, *input);
@@ -119,6 +162,18 @@ Image read(const fs::path& path, bool linear) try {
 
 Image read_image(const fs::path& path) { return read(path, false); }
 Image read_image_linear(const fs::path& path) { return read(path, true); }
+
+TexelImage read_texels(const fs::path& path, int largest_side_px, uint64_t most_texels) try {
+  const Input input = open_image(path);
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width > largest_side_px || spec.height > largest_side_px ||
+      static_cast<uint64_t>(spec.width) * static_cast<uint64_t>(spec.height) > most_texels)
+    throw error(ErrorKind::input, "{}: {}x{} pixels are too large for a texture; at most {} on a side and {} in all",
+                path.string(), spec.width, spec.height, largest_side_px, most_texels);
+  return read_codes(path, *input);
+} catch (const std::bad_alloc&) {
+  throw error(ErrorKind::input, "{}: too large for the memory; use a smaller image", path.string());
+}
 
 ImageMetadata read_image_metadata(const fs::path& path) {
   const std::string description(open_image(path)->spec().get_string_attribute("ImageDescription"));

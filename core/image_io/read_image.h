@@ -4,6 +4,7 @@
 
 #include "core/image/image.h"
 #include "core/image/image_metadata.h"
+#include "core/image/texel_image.h"
 
 namespace hybridrt {
 
@@ -19,6 +20,10 @@ Image read_image(const std::filesystem::path& path);
 
 /// The same in linear light: integer formats go through the sRGB curve (alpha does not).
 Image read_image_linear(const std::filesystem::path& path);
+
+/// The same as 8-bit display codes, for textures; fits TexelReader. Files of floats are clamped to 0-1 and encoded as
+/// sRGB; grey becomes three equal colours, channels beyond four are left out. Takes four bytes a pixel. Over the given limits is too large as well.
+TexelImage read_texels(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
 
 /// What `encode_image` was handed, without reading the pixels; empty for a file that says nothing or whose
 /// format cannot (BMP, HDR, PNM and others). Throws as `read_image`.

@@ -7,7 +7,8 @@ namespace hybridrt {
 
 /// Pass 2, first step (paper, section 3.4): the number of the triangle that each pixel sees.
 struct IdBufferPass {
-  IdBufferPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
+  /// `holes`: of SceneGpu::has_holes().
+  IdBufferPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes = false);
 
   struct In {
     const SceneGpu& scene;
@@ -21,6 +22,7 @@ struct IdBufferPass {
 
  private:
   const gl::Functions& gl_;
+  const bool holes_;
   gl::Program program_;
 };
 

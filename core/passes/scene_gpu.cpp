@@ -2,6 +2,7 @@
 
 #include "shaders/shared.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace hybridrt {
@@ -20,7 +21,7 @@ std::vector<vec4> material_texels(const Scene& scene) {
   for (const Material& m : scene.materials) {
     texels.push_back(vec4(m.kd, m.ns));
     texels.push_back(vec4(m.ks, m.opacity));
-    texels.push_back(vec4(m.ke, 0));
+    texels.push_back(vec4(m.ke, static_cast<float>(m.texture_maps)));
   }
   static_assert(HRT_MATERIAL_TEXELS == 3);
   return texels;
@@ -31,7 +32,54 @@ void require_fit(const gl::Context& context, const char* what, size_t count) {
                     context.info().max_buffer_texels);
 }
 
+constexpr int kWordsWidth = 1 << HRT_TEXTURE_WORDS_WIDTH_SHIFT;
+
+/// In blocks of whole rows, and what is left as a part of one: drivers copy what they are given.
+void upload_words(const gl::Functions& gl, const gl::Texture& texture, const std::vector<uint32_t>& words) {
+  constexpr size_t kRowsTogether = 1024;
+  const size_t whole_rows = words.size() / kWordsWidth, rest = words.size() % kWordsWidth;
+  const auto put = [&](size_t row, int width, size_t rows) {
+    gl.TextureSubImage2D(texture.id(), 0, 0, static_cast<GLint>(row), width, static_cast<GLsizei>(rows), GL_RED_INTEGER,
+                         GL_UNSIGNED_INT, &words[row * kWordsWidth]);
+  };
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  for (size_t row = 0; row < whole_rows; row += kRowsTogether)
+    put(row, kWordsWidth, std::min(kRowsTogether, whole_rows - row));
+  if (rest > 0) put(whole_rows, static_cast<int>(rest), 1);
+}
+
+gl::Texture make_words(const gl::Context& context, const Textures& textures) {
+  const size_t rows = (textures.words.size() + kWordsWidth - 1) / kWordsWidth;
+  gl::require_limit("all textures", static_cast<long long>(std::max<size_t>(rows, kWordsWidth)), "GL_MAX_TEXTURE_SIZE",
+                    context.info().max_texture_px);
+  const gl::Functions& gl = context.functions();
+  gl::Texture words(gl, GL_R32UI, kWordsWidth, static_cast<int>(rows), "texture words");
+  upload_words(gl, words, textures.words);
+  return words;
+}
+
 }  // namespace
+
+TexturesGpu::TexturesGpu(const gl::Context& context, const Textures& t) : any_holes(t.any_holes) {
+  require_fit(context, "a number of texture coordinates", t.texcoords.size());
+  const gl::Functions& gl = context.functions();
+  texcoords = upload(gl, t.texcoords, "texture coordinates");
+  triangle_texcoords = upload(gl, t.triangle_texcoords, "triangle texture coordinates");
+  triangle_maps = upload(gl, t.triangle_maps, "triangle maps");
+  texcoords_texels = {gl, texcoords, GL_RG32F, "texture coordinates"};
+  triangle_texcoords_texels = {gl, triangle_texcoords, GL_RGB32UI, "triangle texture coordinates"};
+  triangle_maps_texels = {gl, triangle_maps, GL_R32UI, "triangle maps"};
+  words = make_words(context, t);
+  no_attributes = {gl, "corners fetched by shaders"};
+  gl::throw_on_error(gl, "uploading the textures");
+}
+
+void TexturesGpu::bind(const gl::Functions& gl) const {
+  gl.BindTextureUnit(HRT_UNIT_TEXCOORDS, texcoords_texels.id());
+  gl.BindTextureUnit(HRT_UNIT_TRIANGLE_TEXCOORDS, triangle_texcoords_texels.id());
+  gl.BindTextureUnit(HRT_UNIT_TRIANGLE_MAPS, triangle_maps_texels.id());
+  gl.BindTextureUnit(HRT_UNIT_TEXTURE_WORDS, words.id());
+}
 
 SceneGpu::SceneGpu(const gl::Context& context, const Scene& scene) {
   require_fit(context, "a number of triangles", scene.triangle_count());
@@ -54,12 +102,20 @@ SceneGpu::SceneGpu(const gl::Context& context, const Scene& scene) {
   triangle_materials_texels = {gl, triangle_materials, GL_R32UI, "triangle materials"};
   materials_texels = {gl, materials, GL_RGBA32F, "materials"};
   vertex_array = {gl, positions, triangle_positions, "scene"};
+  if (scene.textures) textures.emplace(context, *scene.textures);
   gl::throw_on_error(gl, "uploading the scene");
 }
 
 void SceneGpu::draw(const gl::Functions& gl) const {
   gl.BindVertexArray(vertex_array.id());
   gl.DrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
+}
+
+void SceneGpu::draw_with_holes(const gl::Functions& gl) const {
+  bind_geometry(gl);
+  textures->bind(gl);
+  gl.BindVertexArray(textures->no_attributes.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, index_count);
 }
 
 void SceneGpu::bind_geometry(const gl::Functions& gl) const {
@@ -73,6 +129,7 @@ void SceneGpu::bind_shading(const gl::Functions& gl) const {
   gl.BindTextureUnit(HRT_UNIT_TRIANGLE_NORMALS, triangle_normals_texels.id());
   gl.BindTextureUnit(HRT_UNIT_TRIANGLE_MATERIALS, triangle_materials_texels.id());
   gl.BindTextureUnit(HRT_UNIT_MATERIALS, materials_texels.id());
+  if (textures) textures->bind(gl);
 }
 
 void set_eye_uniforms(const gl::Program& program, const dvec3& eye) {

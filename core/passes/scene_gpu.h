@@ -6,7 +6,21 @@
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
 
+#include <optional>
+
 namespace hybridrt {
+
+/// Textures in GPU memory.
+struct TexturesGpu {
+  gl::Buffer texcoords, triangle_texcoords, triangle_maps;
+  gl::BufferTexture texcoords_texels, triangle_texcoords_texels, triangle_maps_texels;
+  gl::Texture words;  ///< as texture_words.glsl reads them
+  gl::VertexArray no_attributes;
+  bool any_holes = false;
+
+  TexturesGpu(const gl::Context& context, const Textures& textures);
+  void bind(const gl::Functions& gl) const;
+};
 
 /// The scene's arrays in GPU memory, made once, then only read. Each index buffer serves both drawing and,
 /// as a buffer texture, per-pixel lookups.
@@ -19,12 +33,16 @@ struct SceneGpu {
   gl::BufferTexture positions_texels, triangle_positions_texels, normals_texels, triangle_normals_texels,
       triangle_materials_texels, materials_texels;
   gl::VertexArray vertex_array;
+  std::optional<TexturesGpu> textures;
 
+  bool has_holes() const { return textures && textures->any_holes; }
   /// Draws every triangle; gl_PrimitiveID is the triangle's number.
   void draw(const gl::Functions& gl) const;
+  /// The same for shaders/holes_vert.glsl, which fetches corners itself.
+  void draw_with_holes(const gl::Functions& gl) const;
   /// Binds what shaders/scene.glsl reads.
   void bind_geometry(const gl::Functions& gl) const;
-  /// Binds normals and materials too.
+  /// Binds normals, materials and textures too.
   void bind_shading(const gl::Functions& gl) const;
 };
 

@@ -4,8 +4,10 @@
 
 namespace hybridrt {
 
-ShadePass::ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders)
-    : gl_(gl), program_(gl, shaders, {"shade.comp"}) {}
+ShadePass::ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool textured)
+    : gl_(gl),
+      textured_(textured),
+      program_(textured ? gl::Program(gl, shaders, {"shade_textured.comp"}) : gl::Program(gl, shaders, {"shade.comp"})) {}
 
 void ShadePass::run(const In& in, const Out& out) const {
   const gl::Functions& gl = gl_;
@@ -23,6 +25,7 @@ void ShadePass::run(const In& in, const Out& out) const {
   program_.set("light", in.light);
   program_.set("ambient", in.ambient);
   program_.set("background", in.background);
+  if (textured_) program_.set("pixel_area", static_cast<float>(in.view.pixel_area()));
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);
   gl::throw_on_error(gl, "pass 5, shading");

@@ -7,7 +7,8 @@ namespace hybridrt {
 /// Pass 5 (paper, section 3.4): ambient + shadow · (diffuse + specular) + traced contribution, once a
 /// pixel from its id.
 struct ShadePass {
-  ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders);
+  /// `textured`: whether SceneGpu has textures.
+  ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool textured = false);
 
   struct In {
     const SceneGpu& scene;
@@ -25,6 +26,7 @@ struct ShadePass {
 
  private:
   const gl::Functions& gl_;
+  const bool textured_;
   gl::Program program_;
 };
 

@@ -2,8 +2,10 @@
 
 namespace hybridrt {
 
-ShadowMapPass::ShadowMapPass(const gl::Functions& gl, const gl::ShaderSources& shaders)
-    : gl_(gl), program_(gl, shaders, {"shadow_map.vert"}) {}
+ShadowMapPass::ShadowMapPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes)
+    : gl_(gl),
+      holes_(holes),
+      program_(holes ? gl::Program(gl, shaders, {"shadow_map_holes.vert", "shadow_map_holes.frag"}) : gl::Program(gl, shaders, {"shadow_map.vert"})) {}
 
 void ShadowMapPass::run(const In& in, const Out& out) const {
   const gl::Functions& gl = gl_;
@@ -22,7 +24,8 @@ void ShadowMapPass::run(const In& in, const Out& out) const {
   clip_from_unit[3][0] = clip_from_unit[3][1] = -1;
   program_.use();
   program_.set("light_clip_from_scene", mat4(clip_from_unit * in.light.unit_from_scene()));
-  in.scene.draw(gl);
+  if (holes_) in.scene.draw_with_holes(gl);
+  else in.scene.draw(gl);
   gl::throw_on_error(gl, "pass 1, shadow map");
 }
 

@@ -8,7 +8,8 @@ namespace hybridrt {
 /// Pass 1 (paper, section 3.4): the depth of the nearest surface as the light sees it, geometry only.
 /// Orthographic, fitted to the whole scene, so that it can be kept while light and scene stand still.
 struct ShadowMapPass {
-  ShadowMapPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
+  /// `holes`: of SceneGpu::has_holes().
+  ShadowMapPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes = false);
 
   struct In {
     const SceneGpu& scene;
@@ -23,6 +24,7 @@ struct ShadowMapPass {
 
  private:
   const gl::Functions& gl_;
+  const bool holes_;
   gl::Program program_;
 };
 

@@ -60,6 +60,12 @@ uint64_t fingerprint(const Scene& scene) {
     for (double x : {static_cast<double>(m.ns), static_cast<double>(m.ni), static_cast<double>(m.opacity)}) hash.value(x);
     hash.word(static_cast<uint64_t>(m.fresnel));
   }
+  if (scene.textures) {
+    hash.values(std::span(scene.textures->words));
+    hash.values(std::span(scene.textures->texcoords));
+    hash.values(std::span(scene.textures->triangle_texcoords));
+    hash.values(std::span(scene.textures->triangle_maps));
+  }
   return hash.state;
 }
 

@@ -20,7 +20,7 @@ class KeptLightBuffer {
     build_ms = 0;
     if (buffer_ && buffer_->toward == toward) return *buffer_;
     const Stopwatch building;
-    if (!sides_) sides_ = triangle_sides(build_topology(scene_, pool_));
+    if (!sides_) sides_ = triangle_sides(build_topology(scene_, pool_), scene_.textures.get());
     buffer_.reset();  // before its successor needs the memory
     buffer_ = build_light_buffer(scene_, *sides_, toward, pool_);
     build_ms = building.elapsed_ms();

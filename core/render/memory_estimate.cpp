@@ -22,7 +22,8 @@ size_t bytes_of(const std::vector<T>& values) {
 
 size_t geometry_bytes(const Scene& scene) {
   return bytes_of(scene.positions) + bytes_of(scene.normals) + bytes_of(scene.triangle_positions) +
-         bytes_of(scene.triangle_normals) + bytes_of(scene.triangle_materials);
+         bytes_of(scene.triangle_normals) + bytes_of(scene.triangle_materials) +
+         (scene.textures ? scene.textures->memory_bytes() : 0);
 }
 
 size_t rendered_pixels(const RenderSettings& s) {

@@ -7,6 +7,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/scene/load_textures.h"
 #include "core/scene/mtl_io.h"
 #include "core/scene/normals.h"
 #include "core/scene/text_scan.h"
@@ -78,6 +79,7 @@ void leave_out_degenerate(MeshData& mesh, std::span<const vec3> positions, Threa
   if (repeated.count + flat.count == 0) return;
   keep_good(mesh.triangle_positions, faults);
   keep_good(mesh.triangle_normals, faults);
+  keep_good(mesh.triangle_texcoords, faults);
   keep_good(mesh.triangle_materials, faults);
   keep_good(mesh.triangle_places, faults);
 }
@@ -123,6 +125,25 @@ void take_normals(MeshData& mesh, Scene& scene, Warnings& warnings) {
          mesh.place);
   append(scene.normals, std::move(mesh.normals));
   append(scene.triangle_normals, std::move(mesh.triangle_normals));
+}
+
+/// Whether a texture may be read for any of them.
+bool needs_texcoords(const std::vector<LoadedMesh>& meshes, const LoadWatch& watch) {
+  const auto has_maps = [](const Material& material) { return !material.maps.empty(); };
+  return watch.read_texels && std::any_of(meshes.begin(), meshes.end(), [&](const LoadedMesh& mesh) {
+           return std::any_of(mesh.library.begin(), mesh.library.end(), has_maps);
+         });
+}
+
+/// Appends the file's texture coordinates; corners that have none get kNoIndex.
+void take_texcoords(MeshData& mesh, Textures& textures) {
+  const auto first = static_cast<uint32_t>(textures.texcoords.size());
+  mesh.triangle_texcoords.resize(mesh.triangle_materials.size(), uvec3(kNoIndex));
+  for (uvec3& corners : mesh.triangle_texcoords)
+    for (int corner = 0; corner < 3; ++corner)
+      corners[corner] = corners[corner] < mesh.texcoords.size() ? corners[corner] + first : kNoIndex;
+  append(textures.texcoords, std::move(mesh.texcoords));
+  append(textures.triangle_texcoords, std::move(mesh.triangle_texcoords));
 }
 
 constexpr uint32_t kDefaultMaterial = 0;  // until it is known whether anybody uses it
@@ -185,7 +206,7 @@ vec3 usable_normal(const dvec3& n) {
   return length > 1e-30 && std::isfinite(length) ? vec3(n / length) : vec3(0);
 }
 
-Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings& warnings) {
+Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings& warnings, const LoadWatch& watch) {
   HRT_CHECK(!meshes.empty());
   WorldBox box;
   size_t positions = 0;
@@ -211,6 +232,8 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
   }
   scene.origin_world = choose_origin(box);
   scene.positions.resize(positions);
+  Textures textures;
+  const bool keep_texcoords = needs_texcoords(meshes, watch);
   uint32_t first = 0;
   for (LoadedMesh& loaded : meshes) {
     MeshData& mesh = loaded.data;
@@ -225,11 +248,13 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
                   mesh.path.string());
     take_triangles(mesh, first, scene);
     take_normals(mesh, scene, warnings);
+    if (keep_texcoords) take_texcoords(mesh, textures);
     take_materials(loaded, scene, warnings);
     first += static_cast<uint32_t>(own.size());
     loaded = {};
   }
   settle_default_material(scene);
+  if (keep_texcoords) load_textures(scene, std::move(textures), pool, warnings, watch);
   rebuild_missing_normals(scene, pool);
   scene.bounds = compute_bounds(scene);
   validate(scene);

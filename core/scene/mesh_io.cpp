@@ -93,7 +93,7 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
   for (const std::exception_ptr& failure : failures)  // the first file's, whichever thread was first
     if (failure) std::rethrow_exception(failure);
   for (const Warnings& own : own_warnings) warnings.insert(warnings.end(), own.begin(), own.end());
-  return assemble_scene(std::move(meshes), pool, warnings);
+  return assemble_scene(std::move(meshes), pool, warnings, watch);
 }
 
 }  // namespace hybridrt

@@ -1,6 +1,7 @@
 #include "core/scene/mtl_io.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/scene/text_lines.h"
@@ -42,27 +43,45 @@ bool names_a_texture(std::string_view statement) {
          statement == "decal" || statement == "refl" || statement == "norm";
 }
 
+/// The kind of the maps that are read.
+std::optional<MapKind> map_kind(std::string_view statement) {
+  if (statement == "map_Kd") return MapKind::diffuse;
+  if (statement == "map_Ks") return MapKind::specular;
+  if (statement == "map_Ke") return MapKind::emitted;
+  if (statement == "map_d") return MapKind::holes;
+  return std::nullopt;
+}
+
 struct Tallies {
-  Tally textures, foreign_textures, missing_textures, foreign_colors, bad_ni, bad_illum;
+  Tally unread_kinds, foreign_textures, missing_textures, foreign_colors, bad_ni, bad_illum;
   std::string first_missing;
 };
-
-/// Counts the texture and what is wrong with its name.
-void look_for_texture(const Statement& s, Tallies& tallies) {
-  const size_t line = s.lines.line_number();
-  tallies.textures.add(line);
-  const std::string name = texture_name(s.rest);
-  const TextureFile file = find_texture(s.lines.path().parent_path(), name);
-  if (file.foreign) tallies.foreign_textures.add(line);
-  if (!file.path.empty()) return;
-  if (tallies.missing_textures.count == 0) tallies.first_missing = name;
-  tallies.missing_textures.add(line);
-}
 
 struct Reading {
   Material material;
   float dissolve = -1, transparency = -1;  ///< d and Tr as given; -1: not given
+  bool has_kd = false, has_ks = false, has_ke = false;
 };
+
+/// Keeps the texture; counts what is wrong with its name.
+void read_texture(const Statement& s, Reading& reading, Tallies& tallies) {
+  const size_t line = s.lines.line_number();
+  TextureStatement texture = read_texture_statement(s.rest);
+  TextureFile file = find_texture(s.lines.path().parent_path(), texture.name);
+  if (file.foreign) tallies.foreign_textures.add(line);
+  if (file.path.empty()) {
+    if (tallies.missing_textures.count == 0) tallies.first_missing = texture.name;
+    tallies.missing_textures.add(line);
+  }
+  const std::optional<MapKind> kind = map_kind(s.name);
+  if (!kind && s.name != "map_Ka") tallies.unread_kinds.add(line);  // Ka itself does not count
+  if (!kind) return;
+  texture.map.kind = *kind;
+  texture.map.path = std::move(file.path);
+  std::vector<TextureMap>& maps = reading.material.maps;
+  std::erase_if(maps, [&](const TextureMap& map) { return map.kind == *kind; });  // the last one counts
+  maps.push_back(std::move(texture.map));
+}
 
 void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
   Material& m = reading.material;
@@ -70,9 +89,9 @@ void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
   const auto color = [&](vec3& to) {
     if (!take_color(s, to)) tallies.foreign_colors.add(line);
   };
-  if (s.name == "Kd") return color(m.kd);
-  if (s.name == "Ks") return color(m.ks);
-  if (s.name == "Ke") return color(m.ke);
+  if (s.name == "Kd") return reading.has_kd = true, color(m.kd);
+  if (s.name == "Ks") return reading.has_ks = true, color(m.ks);
+  if (s.name == "Ke") return reading.has_ke = true, color(m.ke);
   if (s.name == "Tf") return color(m.tf);
   if (s.name == "Ns") {
     m.ns = std::clamp(take_number(s), 0.f, 1e4f);
@@ -91,11 +110,21 @@ void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
     m.illum = known ? static_cast<int>(model) : 2;
     if (!known) tallies.bad_illum.add(line);
   } else if (names_a_texture(s.name)) {
-    look_for_texture(s, tallies);
+    read_texture(s, reading, tallies);
   }  // Ka and what else there is: not used
 }
 
+/// A map alone means its own colours. So does a diffuse one over black, which would show nothing.
+void mark_maps_alone(Reading& reading) {
+  for (TextureMap& map : reading.material.maps) {
+    if (map.kind == MapKind::diffuse) map.alone = !reading.has_kd || reading.material.kd == vec3(0);
+    if (map.kind == MapKind::specular) map.alone = !reading.has_ks;
+    if (map.kind == MapKind::emitted) map.alone = !reading.has_ke;
+  }
+}
+
 void finish_material(Reading& reading, std::vector<Material>& materials) {
+  mark_maps_alone(reading);
   if (reading.dissolve >= 0)
     reading.material.opacity = reading.dissolve;
   else if (reading.transparency >= 0)
@@ -133,7 +162,7 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
   }
   if (inside) finish_material(reading, materials);
 
-  report(tallies.textures, "texture maps are not read yet", path, warnings);
+  report(tallies.unread_kinds, "texture maps (bump, disp and others) are not read yet", path, warnings);
   report(tallies.foreign_textures, "texture names lead to other folders; only files beside the MTL are looked for", path,
          warnings);
   report(tallies.missing_textures, fmt::format("texture files are missing ({})", in_quotes(tallies.first_missing)), path,

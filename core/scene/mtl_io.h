@@ -18,8 +18,9 @@ Material default_material();
 ///  - Where d and Tr are both given d counts, whatever their order; Tr alone means d = 1 - Tr.
 ///  - Colours are clamped to >= 0, Ns to [0, 1e4], d to [0, 1]; Ni <= 0 becomes 1 and illum outside of
 ///    0-10 becomes 2, with a warning.
-///  - Texture maps are counted in a warning, not read; so are those that are missing and those whose names lead
-///    elsewhere (texture_name.h).
+///  - map_Kd, map_Ks, map_Ke and map_d are kept by name, the last of a kind; no picture is read here. Those of
+///    other kinds but map_Ka are counted in a warning; so are all that are missing and all whose names lead elsewhere
+///    (texture_name.h).
 /// Throws Error (input), naming file and line, where a number of the above is missing, malformed, infinite
 /// or NaN, and what TextLines throws. Ours instead of tinyobjloader's, which reads NaN as 0 and cannot
 /// tell a missing illum, Tf or Tr from 0.

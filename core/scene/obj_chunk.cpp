@@ -50,7 +50,7 @@ class ChunkReader {
   size_t line() const { return lines_.line_number(); }
   size_t vertices() const { return chunk_.before.vertices + chunk_.data.positions.size(); }
   size_t normals() const { return chunk_.before.normals + chunk_.data.normals.size(); }
-  size_t texcoords() const { return chunk_.before.texcoords + texcoords_; }
+  size_t texcoords() const { return chunk_.before.texcoords + chunk_.data.texcoords.size(); }
   size_t face() const { return chunk_.before.faces + chunk_.data.faces; }
 
   template <typename... Args>
@@ -63,9 +63,8 @@ class ChunkReader {
     if (statement == "v") return read_vertex(rest);
     if (statement == "f") return read_face(rest);
     if (statement == "vn") return read_normal(rest);
-    if (statement == "vt") {
-      ++texcoords_;
-    } else if (statement == "usemtl") {
+    if (statement == "vt") return read_texcoord(rest);
+    if (statement == "usemtl") {
       if (!rest.empty()) set_material(trimmed(rest));
     } else if (statement == "mtllib") {
       chunk_.data.libraries.emplace_back(trimmed(rest));
@@ -104,6 +103,24 @@ class ChunkReader {
     chunk_.data.normals.push_back(usable_normal(n));
   }
 
+  /// One number or two; a third is of volumes.
+  void read_texcoord(std::string_view rest) {
+    constexpr double kLargest = 1e6;  // beyond, a float has no digits left for the place in the image
+    vec2 texcoord(0);
+    for (int axis = 0; axis < 2; ++axis) {
+      const std::string_view word = take_word(rest);
+      if (axis > 0 && word.empty()) break;
+      const std::optional<double> number = parse_number(word);
+      if (!number || !(std::abs(*number) <= kLargest)) {
+        texcoord = vec2(0);
+        chunk_.unread_texcoords.add(line());
+        break;
+      }
+      texcoord[axis] = static_cast<float>(*number);
+    }
+    chunk_.data.texcoords.push_back(texcoord);
+  }
+
   void set_material(std::string_view name) {
     const auto [entry, is_new] =
         material_ids_.try_emplace(std::string(name), static_cast<uint32_t>(chunk_.data.material_names.size()));
@@ -137,14 +154,18 @@ class ChunkReader {
 
   void append_triangle(const ObjChunk::Corner& p, const ObjChunk::Corner& q, const ObjChunk::Corner& r) {
     MeshData& data = chunk_.data;
-    const bool has_normal = p.normal != kNoIndex || q.normal != kNoIndex || r.normal != kNoIndex;
-    if (has_normal && data.triangle_normals.empty())
-      data.triangle_normals.resize(data.triangle_positions.size(), uvec3(kNoIndex));
+    append_indices(data.triangle_normals, uvec3(p.normal, q.normal, r.normal));
+    append_indices(data.triangle_texcoords, uvec3(p.texcoord, q.texcoord, r.texcoord));
     data.triangle_positions.emplace_back(p.position, q.position, r.position);
-    if (has_normal || !data.triangle_normals.empty())
-      data.triangle_normals.emplace_back(p.normal, q.normal, r.normal);
     data.triangle_materials.push_back(chunk_.last_material);
     data.triangle_places.push_back(static_cast<uint32_t>(line()));
+  }
+
+  /// The array stays empty up to the first triangle that has an index at all.
+  void append_indices(std::vector<uvec3>& all, const uvec3& indices) const {
+    const bool has_some = indices != uvec3(kNoIndex);
+    if (has_some && all.empty()) all.resize(chunk_.data.triangle_positions.size(), uvec3(kNoIndex));
+    if (has_some || !all.empty()) all.push_back(indices);
   }
 
   const char* read_corner(const char* p, const char* end) {
@@ -159,7 +180,7 @@ class ChunkReader {
            in_quotes({start, static_cast<size_t>(p - start)}), count, kMend);
     if (index > count && index > chunk_.farthest.index)
       chunk_.farthest = {static_cast<int32_t>(index), static_cast<uint32_t>(line())};
-    ObjChunk::Corner corner{resolved(index, vertices()), kNoIndex};
+    ObjChunk::Corner corner{resolved(index, vertices()), kNoIndex, kNoIndex};
 
     for (const bool is_normal : {false, true}) {
       if (p == end || *p != '/') break;
@@ -170,7 +191,7 @@ class ChunkReader {
       if (is_normal)
         corner.normal = checked(index, normals(), chunk_.normals_ahead, chunk_.bad_normals);
       else
-        checked(index, texcoords(), chunk_.texcoords_ahead, chunk_.bad_texcoords);
+        corner.texcoord = checked(index, texcoords(), chunk_.texcoords_ahead, chunk_.bad_texcoords);
     }
     if (p != end && !is_blank(*p)) fail_corner(start, end);
     corners_.push_back(corner);
@@ -205,7 +226,6 @@ class ChunkReader {
   const std::filesystem::path& path_;
   ObjChunk& chunk_;
   LineScanner lines_;
-  size_t texcoords_ = 0;
   std::unordered_map<std::string, uint32_t> material_ids_;
   std::vector<ObjChunk::Corner> corners_;  // of the face at hand; kept for their memory
 };

@@ -35,7 +35,7 @@ struct ObjChunk {
   uint32_t last_material = 0;
 
   struct Corner {
-    uint32_t position, normal;
+    uint32_t position, texcoord, normal;
   };
   struct Polygon {
     size_t first_triangle, first_corner;
@@ -52,7 +52,7 @@ struct ObjChunk {
   };
   Ahead farthest;  ///< of the positions, the first where several are
   std::vector<Ahead> texcoords_ahead, normals_ahead;
-  Tally bad_texcoords, bad_normals, small_faces, unknown;
+  Tally unread_texcoords, bad_texcoords, bad_normals, small_faces, unknown;
 
   std::exception_ptr failure;  ///< what reading ended with
 };
@@ -61,7 +61,7 @@ struct ObjChunk {
 ObjCounts count_statements(const std::filesystem::path& path, std::string_view text);
 
 /// Reads chunk.text into the rest of it. Checks every number and index: `v` has three numbers below 1e30; `vn` that
-/// cannot be read is zero, which the caller rebuilds; `f` has corners v, v/vt, v//vn or v/vt/vn, v not 0 and not
+/// cannot be read is zero, which the caller rebuilds, and so is a `vt`; `f` has corners v, v/vt, v//vn or v/vt/vn, v not 0 and not
 /// before the first vertex; a vt or vn that leads nowhere is left out. What is wrong ends in chunk.failure: Error
 /// (input) naming file and line.
 void read_chunk(const std::filesystem::path& path, ObjChunk& chunk);

@@ -14,7 +14,7 @@ namespace hybridrt {
 ///  - Polygons are cut into triangles; faces of fewer than three corners and triangles that repeat a
 ///    vertex or have no area (as floats in scene space) are left out, with a warning.
 ///  - Normals of the file are kept in its order, made unit; corners without a usable one get a smooth one
-///    (normals.h). Smoothing groups, texture coordinates, points, lines and vertex colours are ignored.
+///    (normals.h). Smoothing groups, points, lines and vertex colours are ignored. No texture is read.
 ///  - Materials are those of the MTL files in their order (mtl_io.h); "default" comes first if any
 ///    triangle names no material or an unknown one, the latter with a warning.
 /// One warning a kind of fault, counted, with the first place.

@@ -48,6 +48,7 @@ void cut_polygons(ObjChunk& chunk, MeshData& data, Tally& tangled) {
         const ObjChunk::Corner& corner = corners[cuts[i][k]];
         data.triangle_positions[polygon.first_triangle + i][k] = corner.position;
         if (!data.triangle_normals.empty()) data.triangle_normals[polygon.first_triangle + i][k] = corner.normal;
+        if (!data.triangle_texcoords.empty()) data.triangle_texcoords[polygon.first_triangle + i][k] = corner.texcoord;
       }
     return true;
   });
@@ -70,7 +71,7 @@ class Joined {
   template <typename T>
   void append_array(const std::vector<ObjChunk>& chunks, std::vector<T> MeshData::* array);
   void append_materials(const std::vector<ObjChunk>& chunks);
-  void append_normal_indices(const std::vector<ObjChunk>& chunks);
+  void append_optional_indices(const std::vector<ObjChunk>& chunks, std::vector<uvec3> MeshData::* array);
   template <typename T>
   void make_room(std::vector<T>& all, size_t more) const;
 
@@ -83,7 +84,7 @@ class Joined {
   ObjChunk waiting_;  ///< only its polygons: they name vertices that come later
   ObjChunk::Ahead farthest_;
   std::vector<ObjChunk::Ahead> texcoords_ahead_, normals_ahead_;
-  Tally bad_texcoords_, bad_normals_, small_faces_, unknown_, tangled_;
+  Tally unread_texcoords_, bad_texcoords_, bad_normals_, small_faces_, unknown_, tangled_;
 };
 
 /// Room for `more`, and at the first time for all that the rest of the file will bring if it goes on like this: memory
@@ -114,10 +115,10 @@ void Joined::append_materials(const std::vector<ObjChunk>& chunks) {
     for (uint32_t material : chunks[i].data.triangle_materials) all.push_back(meanings_[i][material]);
 }
 
-/// Where a mesh has normals at all, each triangle has three indices.
-void Joined::append_normal_indices(const std::vector<ObjChunk>& chunks) {
-  std::vector<uvec3>& all = data_.triangle_normals;
-  const auto has_some = [](const ObjChunk& chunk) { return !chunk.data.triangle_normals.empty(); };
+/// Where a mesh has normals (texture coordinates) at all, each triangle has three indices.
+void Joined::append_optional_indices(const std::vector<ObjChunk>& chunks, std::vector<uvec3> MeshData::* array) {
+  std::vector<uvec3>& all = data_.*array;
+  const auto has_some = [&](const ObjChunk& chunk) { return !(chunk.data.*array).empty(); };
   if (all.empty() && std::none_of(chunks.begin(), chunks.end(), has_some)) return;
   size_t triangles = data_.triangle_materials.size();  // before these chunks: nobody else appends them meanwhile
   size_t more = 0;
@@ -125,7 +126,7 @@ void Joined::append_normal_indices(const std::vector<ObjChunk>& chunks) {
   make_room(all, more);
   all.resize(triangles, uvec3(kNoIndex));
   for (const ObjChunk& chunk : chunks) {
-    all.insert(all.end(), chunk.data.triangle_normals.begin(), chunk.data.triangle_normals.end());
+    all.insert(all.end(), (chunk.data.*array).begin(), (chunk.data.*array).end());
     all.resize(triangles += chunk.data.triangle_positions.size(), uvec3(kNoIndex));
   }
 }
@@ -148,7 +149,7 @@ void Joined::take_facts(ObjChunk& chunk) {
   if (chunk.farthest.index > farthest_.index) farthest_ = chunk.farthest;
   texcoords_ahead_.insert(texcoords_ahead_.end(), chunk.texcoords_ahead.begin(), chunk.texcoords_ahead.end());
   normals_ahead_.insert(normals_ahead_.end(), chunk.normals_ahead.begin(), chunk.normals_ahead.end());
-  add(bad_texcoords_, chunk.bad_texcoords), add(bad_normals_, chunk.bad_normals);
+  add(unread_texcoords_, chunk.unread_texcoords), add(bad_texcoords_, chunk.bad_texcoords), add(bad_normals_, chunk.bad_normals);
   add(small_faces_, chunk.small_faces), add(unknown_, chunk.unknown);
 }
 
@@ -162,14 +163,16 @@ void Joined::append(std::vector<ObjChunk>& chunks, ThreadPool& pool) {
     first_triangle += chunk.data.triangle_positions.size();
   }
 
-  append_normal_indices(chunks);
-  pool.run(5, [&](size_t array, int) {
+  append_optional_indices(chunks, &MeshData::triangle_normals);
+  append_optional_indices(chunks, &MeshData::triangle_texcoords);
+  pool.run(6, [&](size_t array, int) {
     switch (array) {
       case 0: return append_array(chunks, &MeshData::positions);
       case 1: return append_array(chunks, &MeshData::normals);
       case 2: return append_array(chunks, &MeshData::triangle_positions);
       case 3: return append_array(chunks, &MeshData::triangle_places);
       case 4: return append_materials(chunks);
+      case 5: return append_array(chunks, &MeshData::texcoords);
     }
   });
 
@@ -197,6 +200,7 @@ MeshData Joined::finish(const ObjCounts& counts, Warnings& warnings) {
   cut_polygons(waiting_, data_, tangled_);
 
   report(small_faces_, "faces of fewer than three corners were left out", path, warnings);
+  report(unread_texcoords_, "texture coordinates are no usable numbers and were set to 0", path, warnings);
   report(bad_texcoords_, "texture coordinate indices lead nowhere and were left out", path, warnings);
   report(bad_normals_, "normal indices lead nowhere and were left out", path, warnings);
   report(unknown_, "lines of an unknown kind were left out", path, warnings);

@@ -24,6 +24,15 @@ void validate(const Scene& scene) {
     }
     HRT_CHECK(scene.triangle_materials[i] < scene.materials.size());
   }
+  if (!scene.textures) return;
+  const Textures& textures = *scene.textures;
+  HRT_CHECK_EQ(textures.triangle_texcoords.size(), scene.triangle_count());
+  HRT_CHECK_EQ(textures.triangle_maps.size(), scene.triangle_count());
+  for (size_t i = 0; i < scene.triangle_count(); ++i) {
+    HRT_CHECK_EQ(textures.triangle_maps[i], scene.materials[scene.triangle_materials[i]].texture_maps);
+    for (int corner = 0; corner < 3; ++corner)
+      HRT_CHECK(textures.triangle_texcoords[i][corner] < textures.texcoords.size());
+  }
 }
 
 }  // namespace hybridrt

@@ -2,8 +2,10 @@
 
 #include "core/base/math.h"
 #include "core/scene/material.h"
+#include "core/scene/textures.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,8 @@ struct Scene {
   std::vector<uint32_t> triangle_materials;    ///< index into `materials`
   std::vector<Material> materials;             ///< resolved; at least one
 
+  std::shared_ptr<const Textures> textures;    ///< null where no triangle's material has a map
+
   Aabb bounds;                                 ///< of all triangles, scene space
 
   // Where it came from, for reports.
@@ -35,6 +39,7 @@ struct Scene {
   size_t built_normal_corners = 0;             ///< corners that got their normal from the faces around
 
   size_t triangle_count() const { return triangle_positions.size(); }
+  bool has_holes() const { return textures && textures->any_holes; }
   const Material& material_of(uint32_t triangle) const { return materials[triangle_materials[triangle]]; }
   vec3 vertex(uint32_t triangle, int corner) const {
     return positions[triangle_positions[triangle][corner]];

@@ -4,12 +4,20 @@
 #include <string>
 #include <string_view>
 
+#include "core/scene/texture_map.h"
+
 namespace hybridrt {
 
-/// The file name in what follows map_Kd and its like: options (-blendu, -bm, -clamp, -imfchan, -mm, -o, -s,
-/// -t, -texres, -type, …) with their values are passed over, in front of the name and behind it; blanks
-/// inside the name stay. Empty where there is none.
-std::string texture_name(std::string_view statement);
+/// What follows map_Kd and its like.
+struct TextureStatement {
+  std::string name;  ///< blanks inside stay; empty where there is none
+  TextureMap map;    ///< by its options; kind and path are the caller's
+};
+
+/// Options stand in front of the name or behind it. Read are -s, -o, -clamp, -mm and -imfchan; -blendu, -blendv, -bm,
+/// -boost, -cc, -t, -texres and -type are passed over with their values. Options whose values are no numbers change
+/// nothing; factors and offsets are kept below a million.
+TextureStatement read_texture_statement(std::string_view statement);
 
 /// Where a texture was looked for.
 struct TextureFile {

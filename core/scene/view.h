@@ -21,6 +21,14 @@ struct View {
   dvec3 pixel_dir(int x, int y) const {
     return ray_first() + static_cast<double>(x_px + x) * ray_step_x() + static_cast<double>(y_px + y) * ray_step_y();
   }
+  /// What pixel (x, y) covers of the sphere around the eye.
+  double pixel_solid_angle(int x, int y) const {
+    const dvec3 dir = pixel_dir(x, y);
+    const double squared = glm::dot(dir, dir);
+    return pixel_area() / (squared * std::sqrt(squared));
+  }
+  /// Of a pixel, where its direction's component along `forward` is 1.
+  double pixel_area() const { return glm::length(glm::cross(ray_step_x(), ray_step_y())); }
   /// Through the frame's first pixel, and from one to the next.
   dvec3 ray_first() const {
     return forward - tan_half_width * right + tan_half_height * up + (0.5 + sample_px.x) * ray_step_x() +

@@ -2,6 +2,7 @@
 
 #include "core/base/math.h"
 #include "core/scene/scene.h"
+#include "core/trace/holes.h"
 #include "core/trace/triangle.h"
 
 namespace hybridrt {
@@ -16,7 +17,9 @@ Hit<Real> brute_force_hit(const Scene& scene, const Ray<Real>& ray) {
   for (uint32_t triangle = 0; triangle < scene.triangle_count(); ++triangle) {
     const vec3 a = scene.vertex(triangle, 0), b = scene.vertex(triangle, 1), c = scene.vertex(triangle, 2);
     TriangleHit<Real> hit;
-    if (!is_degenerate(a, b, c) && intersect_triangle(sheared, a, b, c, hit)) nearest.offer(hit, triangle);
+    if (is_degenerate(a, b, c) || !intersect_triangle(sheared, a, b, c, hit)) continue;
+    if (scene.has_holes() && is_hole(*scene.textures, triangle, hit.u, hit.v)) continue;
+    nearest.offer(hit, triangle);
   }
   return nearest.result();
 }

@@ -10,6 +10,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/trace/holes.h"
 #include "core/trace/triangle.h"
 
 namespace hybridrt {
@@ -36,6 +37,7 @@ class EmbreeCaster final : public RayCaster<float> {
  public:
   EmbreeCaster(const Scene& scene, int threads, EmbreeRays going) : going_(going) {
     HRT_CHECK(threads >= 1);
+    if (scene.has_holes()) holes_ = scene.textures;
     device_.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
     if (!device_) throw_on_error(nullptr, "starting");
     scene_.reset(rtcNewScene(device_.get()));
@@ -143,12 +145,28 @@ class EmbreeCaster final : public RayCaster<float> {
     auto* const indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(
         geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), kept.size()));
     throw_on_error(device_.get(), "taking the triangles");
+    if (holes_) {
+      rtcSetGeometryUserData(geometry.get(), this);
+      rtcSetGeometryIntersectFilterFunction(geometry.get(), pass_holes);
+      rtcSetGeometryOccludedFilterFunction(geometry.get(), pass_holes);
+    }
     std::copy(scene.positions.begin(), scene.positions.end(), vertices);
     std::copy(kept.begin(), kept.end(), indices);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(scene_.get(), geometry.get());
     throw_on_error(device_.get(), "taking the triangles");
     if (kept.size() == scene.triangle_count()) triangle_of_primitive_ = {};
+  }
+
+  /// Embree's filter function: takes hits in holes back.
+  static void pass_holes(const RTCFilterFunctionNArguments* args) {
+    const auto& caster = *static_cast<const EmbreeCaster*>(args->geometryUserPtr);
+    for (unsigned i = 0; i < args->N; ++i) {
+      if (args->valid[i] == 0) continue;
+      const uint32_t triangle = caster.scene_triangle(RTCHitN_primID(args->hit, args->N, i));
+      const float u = RTCHitN_u(args->hit, args->N, i), v = RTCHitN_v(args->hit, args->N, i);
+      if (is_hole(*caster.holes_, triangle, u, v)) args->valid[i] = 0;
+    }
   }
 
   /// False for rays that cannot hit anything. Embree's range is closed, ours is open.
@@ -173,6 +191,7 @@ class EmbreeCaster final : public RayCaster<float> {
   Owned<RTCDevice> device_;
   Owned<RTCScene> scene_;
   std::vector<uint32_t> triangle_of_primitive_;  ///< empty: the same
+  std::shared_ptr<const Textures> holes_;        ///< null where no triangle has any
 };
 
 }  // namespace

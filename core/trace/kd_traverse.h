@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "core/base/math.h"
+#include "core/trace/holes.h"
 #include "core/trace/kd_tree.h"
 #include "core/trace/triangle.h"
 
@@ -124,7 +125,8 @@ class ScalarLeaf {
   ScalarLeaf(const KdTree& tree, const Ray<Real>& ray)
       : ray_(shear_ray(ray.origin, ray.dir)),
         triangles_(tree.triangles.data()),
-        ids_(tree.leaf_triangles.data()) {}
+        ids_(tree.leaf_triangles.data()),
+        holes_(tree.holes.get()) {}
 
   template <bool kAny>
   void test(uint32_t first, uint32_t count, NearestHit<Real>& nearest) const {
@@ -132,6 +134,7 @@ class ScalarLeaf {
       const KdTriangle& triangle = triangles_[ids_[i]];
       TriangleHit<Real> hit;
       if (!intersect_triangle(ray_, triangle.v0, triangle.v1, triangle.v2, hit)) continue;
+      if (holes_ && is_hole(*holes_, triangle.id, hit.u, hit.v)) continue;
       nearest.offer(hit, triangle.id);
       if (kAny && nearest.found()) return;
     }
@@ -141,6 +144,7 @@ class ScalarLeaf {
   ShearedRay<Real> ray_;
   const KdTriangle* triangles_;
   const uint32_t* ids_;
+  const Textures* holes_;
 };
 
 }  // namespace HWY_NAMESPACE

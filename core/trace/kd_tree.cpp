@@ -133,6 +133,7 @@ KdTree build_kd_tree(const Scene& scene, ThreadPool& pool) {
   std::vector<KdReference> refs = make_references(scene);
   const size_t triangle_count = refs.size();
   KdTree tree;
+  if (scene.has_holes()) tree.holes = scene.textures;
   for (const KdReference& ref : refs) tree.bounds.grow(ref.box);
 
   const vec3 size =

@@ -1,5 +1,6 @@
 #include "core/trace/leaf_simd.h"
 
+#include "core/trace/holes.h"
 #include "core/trace/triangle.h"
 
 // clang-format off: the order matters
@@ -33,6 +34,7 @@ class FourLeaf {
       : ray_(shear_ray(ray.origin, ray.dir)),
         triangles_(tree.triangles.data()),
         ids_(tree.leaf_triangles.data()),
+        holes_(tree.holes.get()),
         sx_(hn::Set(kLanes, ray_.sx)),
         sy_(hn::Set(kLanes, ray_.sy)),
         sz_(hn::Set(kLanes, ray_.sz)) {
@@ -114,13 +116,15 @@ class FourLeaf {
       const bool accept = (hit_bits[0] >> lane & 1) ||
                           ((double_bits[0] >> lane & 1) &&
                            intersect_triangle(ray_, triangle.v0, triangle.v1, triangle.v2, found));
-      if (accept) nearest.offer(found, triangle.id);
+      if (!accept || (holes_ && is_hole(*holes_, triangle.id, found.u, found.v))) continue;
+      nearest.offer(found, triangle.id);
     }
   }
 
   ShearedRay<float> ray_;
   const KdTriangle* triangles_;
   const uint32_t* ids_;
+  const Textures* holes_;
   Floats origin_, sx_, sy_, sz_;
   decltype(hn::SetTableIndices(kLanes, static_cast<const int32_t*>(nullptr))) order_;
 };

@@ -3,6 +3,7 @@
 #include <hwy/highway.h>
 
 #include "core/base/check.h"
+#include "core/trace/holes.h"
 #include "core/trace/light_cells.h"
 #include "core/trace/triangle.h"
 
@@ -133,7 +134,7 @@ class Lookup {
     const Scene& scene = *buffer_.scene;
     return intersect_triangle(ray, scene.vertex(triangle, 0), scene.vertex(triangle, 1),
                               scene.vertex(triangle, 2), hit) &&
-           hit.t > 0;
+           hit.t > 0 && !(scene.has_holes() && is_hole(*scene.textures, triangle, hit.u, hit.v));
   }
 
   bool any_of_cell(const ShadowQuery& query, const LightCell* cell) const {

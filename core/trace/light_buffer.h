@@ -65,8 +65,9 @@ struct LightBuffer {
       others;  ///< over each cell: those that face the light, and those deeper than its cover
 };
 
-/// Of each triangle: 1 if it belongs to a closed body wound outward, -1 if to one wound inward, else 0.
-std::vector<int8_t> triangle_sides(const Topology& topology);
+/// Of each triangle: 1 if it belongs to a closed body wound outward, -1 if to one wound inward, else 0. A body of which a
+/// triangle has holes is not closed.
+std::vector<int8_t> triangle_sides(const Topology& topology, const Textures* textures = nullptr);
 
 /// `toward` unit, `sides` from triangle_sides. The same buffer for any number of threads.
 LightBuffer build_light_buffer(const Scene& scene, std::span<const int8_t> sides, const dvec3& toward,
@@ -83,8 +84,8 @@ struct ShadowQuery {
 };
 
 /// 1 where something lies between the origin and the light, else 0. The answer is that of a ray traced in
-/// double precision against every triangle (intersect_triangle) but its own, not nearly so: what single
-/// precision cannot decide is decided by that same test. Only for an origin that lies inside a closed body without
+/// double precision against every triangle (intersect_triangle, is_hole) but its own, not nearly so: what single
+/// precision cannot decide is decided by that same test, and so is every triangle with holes. Only for an origin that lies inside a closed body without
 /// saying so (`anywhere`), as where a pixel's triangle is hidden after all, is that body's lit half not asked.
 /// Thread-safe.
 void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries,

@@ -15,6 +15,7 @@ constexpr int kRowsAChunk = 4;
 // three of these a triangle.
 constexpr uint64_t kMostReferences = 1 << 20, kMostReferencesATriangle = 16;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kUndecided = std::numeric_limits<float>::max();  // as a depth error: single precision never decides
 
 enum class Part : uint8_t {
   nothing,  ///< zero area
@@ -78,6 +79,10 @@ class Builder {
     return {grid_from_light(buffer_, positions_light_[corners.x]),
             grid_from_light(buffer_, positions_light_[corners.y]),
             grid_from_light(buffer_, positions_light_[corners.z])};
+  }
+
+  bool has_holes(uint32_t triangle) const {
+    return scene_.has_holes() && scene_.textures->has_holes(scene_.textures->triangle_maps[triangle]);
   }
 
   void transform_positions() {
@@ -179,7 +184,7 @@ class Builder {
           }
           const CellView view(shape, x, y);
           references_[place] = {view.nearest(), triangle};
-          if (view.covers()) lower(buffer_.cells[cell].cover, view.farthest());
+          if (view.covers() && !has_holes(triangle)) lower(buffer_.cells[cell].cover, view.farthest());
         });
       });
     });
@@ -225,6 +230,7 @@ class Builder {
       for (uint32_t entry = first_entry[cell]; entry < first_entry[cell + 1]; ++entry, ++reference) {
         const GridTriangle triangle = grid_triangle(reference->triangle);
         buffer_.entries[entry] = CellView(triangle, x, y).entry(reference->triangle);
+        if (has_holes(reference->triangle)) buffer_.entries[entry].depth_error = kUndecided;
       }
       auto other = std::copy(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1],
                              buffer_.others.begin() + first_other[cell]);
@@ -248,11 +254,17 @@ class Builder {
 
 }  // namespace
 
-std::vector<int8_t> triangle_sides(const Topology& topology) {
+std::vector<int8_t> triangle_sides(const Topology& topology, const Textures* textures) {
+  std::vector<bool> open(topology.components.size());
+  for (size_t i = 0; i < open.size(); ++i) open[i] = !topology.components[i].closed();
+  if (textures && textures->any_holes)
+    for (size_t i = 0; i < textures->triangle_maps.size(); ++i)
+      if (textures->has_holes(textures->triangle_maps[i])) open[topology.component_of_triangle[i]] = true;
+
   std::vector<int8_t> sides(topology.component_of_triangle.size());
   for (size_t i = 0; i < sides.size(); ++i) {
     const Component& component = topology.component_of(static_cast<uint32_t>(i));
-    if (component.closed())
+    if (!open[topology.component_of_triangle[i]])
       sides[i] = component.winding == Winding::outward ? 1 : component.winding == Winding::inward ? -1 : 0;
   }
   return sides;

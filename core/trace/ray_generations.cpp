@@ -59,18 +59,27 @@ void RayGenerations<Real>::add_primary(uint32_t pixel, int x, int y) {
     primary_dirs_.resize(std::max<size_t>(primary_dirs_.size(), pixel + 1));
     primary_dirs_[pixel] = dir;
   }
+  if (job_.scene.textures) set_solid_angle(pixel, static_cast<Real>(job_.view.pixel_solid_angle(x, y)));
   push(ray, {Vec3<Real>(1), pixel, 0});
 }
 
 template <typename Real>
-void RayGenerations<Real>::add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& dir,
-                                         TraceStats& stats) {
-  scatter_on({Vec3<Real>(1), pixel, 0}, surface, dir, stats);
+void RayGenerations<Real>::set_solid_angle(uint32_t pixel, Real solid_angle) {
+  solid_angles_.resize(std::max<size_t>(solid_angles_.size(), pixel + 1));
+  solid_angles_[pixel] = solid_angle;
 }
 
 template <typename Real>
-void RayGenerations<Real>::scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& dir,
-                                      TraceStats& stats) {
+void RayGenerations<Real>::add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& reflect,
+                                         const Vec3<Real>& dir, Real distance, Real solid_angle, TraceStats& stats) {
+  if (job_.scene.textures) set_solid_angle(pixel, solid_angle);
+  scatter_on({Vec3<Real>(1), pixel, 0}, surface, reflect, dir, distance, stats);
+}
+
+/// `path`: from the eye to the surface.
+template <typename Real>
+void RayGenerations<Real>::scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& reflect,
+                                      const Vec3<Real>& dir, Real path, TraceStats& stats) {
   const Material& material = job_.scene.materials[surface.material];
   if (from.generation == 0) {
     stats.pixels_reflective += material.reflective();
@@ -78,14 +87,14 @@ void RayGenerations<Real>::scatter_on(const Tag& from, const Surface<Real>& surf
   }
   if (from.generation >= job_.reflection_depth || (!material.reflective() && !material.transmissive())) return;
 
-  const Scattered<Real> out = scatter(material, surface, dir);
+  const Scattered<Real> out = scatter(material, reflect, surface, dir);
   const Vec3<Real> reflected = from.weight * out.reflected_weight, refracted = from.weight * out.refracted_weight;
   if (largest_part(reflected) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.reflected_dir), {reflected, from.pixel, from.generation + 1, from.refracted});
+    push(leave(surface, out.reflected_dir), {reflected, from.pixel, from.generation + 1, from.refracted, path});
     ++stats.reflection_rays;
   }
   if (largest_part(refracted) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.refracted_dir, /*toward=*/false), {refracted, from.pixel, from.generation + 1, true});
+    push(leave(surface, out.refracted_dir, /*toward=*/false), {refracted, from.pixel, from.generation + 1, true, path});
     ++stats.refraction_rays;
   }
 }
@@ -146,6 +155,14 @@ void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
 }
 
 template <typename Real>
+SurfaceColors<Real> RayGenerations<Real>::colors_of(size_t i) const {
+  const Material& material = job_.scene.materials[surfaces_[i].material];
+  if (material.texture_maps == 0) return plain_colors<Real>(material);
+  return textured_colors(job_.scene, hits_[i].triangle, hits_[i].u, hits_[i].v, batch_rays_[i].dir,
+                         solid_angles_[batch_tags_[i].pixel], batch_tags_[i].path + hits_[i].t);
+}
+
+template <typename Real>
 void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHit> primary_hits, TraceStats& stats) {
   const Scene& scene = job_.scene;
   const Vec3<Real> light(job_.light.color), ambient(job_.ambient), background(job_.background);
@@ -176,11 +193,12 @@ void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHi
       }
       const Surface<Real>& surface = surfaces_[i];
       const Material& m = scene.materials[surface.material];
+      const SurfaceColors<Real> paint = colors_of(i);
       const Vec3<Real>& dir = batch_rays_[i].dir;
       colors[tag.pixel] +=
-          tag.weight * phong(Vec3<Real>(m.kd), Vec3<Real>(m.ks), Vec3<Real>(m.ke), Real(m.ns), Real(m.opacity),
-                             surface.normal, -dir, to_light_, ambient, light, Real(lit_[i]));
-      scatter_on(tag, surface, dir, stats);
+          tag.weight * phong(paint.kd, paint.ks, paint.ke, Real(m.ns), Real(m.opacity), surface.normal, -dir,
+                             to_light_, ambient, light, Real(lit_[i]));
+      scatter_on(tag, surface, paint.reflect, dir, tag.path + hits_[i].t, stats);
     }
     if (!primary) stats.secondary_cpu_ms += thread_cpu_ms() - started_ms;
   }

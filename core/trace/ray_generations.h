@@ -2,6 +2,7 @@
 
 #include "core/trace/ray_caster.h"
 #include "core/trace/scatter.h"
+#include "core/trace/texture_lookup.h"
 #include "core/trace/trace_job.h"
 
 #include <optional>
@@ -33,8 +34,10 @@ class RayGenerations {
   /// Queues the ray through the centre of a pixel; `pixel` is its place in the tile.
   void add_primary(uint32_t pixel, int x, int y);
 
-  /// Queues what a primary surface sends on. `dir` unit.
-  void add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& dir, TraceStats& stats);
+  /// Queues what a primary surface sends on. `reflect`: its Material::reflect, with its textures. `dir` unit; `distance`
+  /// from the eye and `solid_angle` of the pixel count only in scenes with textures.
+  void add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& reflect, const Vec3<Real>& dir,
+                     Real distance, Real solid_angle, TraceStats& stats);
 
   /// Runs until the queue is empty. Adds light to `colors` (one a pixel of the tile). `primary_hits` is
   /// filled for primary rays; it may be empty when none were added.
@@ -46,12 +49,16 @@ class RayGenerations {
     uint32_t pixel;
     int generation;          ///< 0: primary
     bool refracted = false;  ///< it may travel inside a closed body
+    Real path = 0;           ///< from the eye to its origin
   };
 
+  void set_solid_angle(uint32_t pixel, Real solid_angle);
   void take_batch();
   void ask_shadow_rays(TraceStats& stats);
   std::optional<ShadowQuery> shadow_query(size_t in_batch) const;
-  void scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& dir, TraceStats& stats);
+  SurfaceColors<Real> colors_of(size_t in_batch) const;
+  void scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& reflect, const Vec3<Real>& dir,
+                  Real path, TraceStats& stats);
   void push(const Ray<Real>& ray, const Tag& tag);
 
   const TraceJob& job_;
@@ -61,6 +68,7 @@ class RayGenerations {
   std::vector<Ray<Real>> rays_;  ///< the queue, newest last
   std::vector<Tag> tags_;
   std::vector<dvec3> primary_dirs_;  ///< of each pixel of the tile, as primary_shadow_query takes them
+  std::vector<Real> solid_angles_;   ///< of each pixel of the tile; only where the scene has textures
 
   // The batch in work.
   std::vector<Ray<Real>> batch_rays_;

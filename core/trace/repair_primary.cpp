@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/trace/holes.h"
+#include "core/trace/primary_surface.h"
 #include "core/trace/triangle.h"
 
 namespace hybridrt {
@@ -136,6 +138,14 @@ class Suspicion {
   float near_edge_;  ///< how near to an edge, as depth_inside() tells it, the raster may decide otherwise
 };
 
+/// Whether the triangle has a hole where the pixel's exact ray meets it: the raster rounds otherwise.
+bool shows_hole(const Scene& scene, const dvec3& eye, const SeenPixel& pixel) {
+  const uint32_t id = pixel.triangle.id;
+  if (!scene.has_holes() || id == kNoTriangle || !scene.textures->has_holes(scene.textures->triangle_maps[id])) return false;
+  const dvec3 weights = seen_barycentrics(scene, id, eye, pixel.dir);
+  return is_hole(*scene.textures, id, weights.y, weights.z);
+}
+
 /// The nearest of the triangles around (x, y) and of those that `caster` finds, by the exact ray.
 class Settlement {
  public:
@@ -148,6 +158,7 @@ class Settlement {
     const vec3 a = scene_.vertex(id, 0), b = scene_.vertex(id, 1), c = scene_.vertex(id, 2);
     TriangleHit<double> hit;
     if (is_degenerate(a, b, c) || !intersect_triangle(sheared_, a, b, c, hit)) return false;
+    if (scene_.has_holes() && is_hole(*scene_.textures, id, hit.u, hit.v)) return false;
     if (id != nearest_.triangle) nearest_.offer(hit, id);
     return true;
   }
@@ -202,7 +213,7 @@ RepairStats repair_primary_hits(const Scene& scene, const View& view, const RayC
       for (int x = 0; x < view.width_px; ++x) {
         const size_t pixel = row * view.width_px + x;
         repaired[pixel] = ids[pixel];
-        if (!suspicion.falls_on(seen, x, y)) continue;
+        if (!suspicion.falls_on(seen, x, y) && !shows_hole(scene, view.eye, seen.at(x, y))) continue;
         suspects.push_back(x);
         rays.push_back({vec3(view.eye), vec3(seen.at(x, y).dir)});
       }

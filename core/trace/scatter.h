@@ -20,13 +20,14 @@ Real fresnel_dielectric(Real cos_in, Real cos_out, Real eta) {
   return Real(0.5) * (parallel * parallel + perpendicular * perpendicular);
 }
 
-/// `dir` unit, the direction in which the ray came. Rays never dive under the surface because of an
-/// interpolated normal: where one would, the geometric normal takes its place.
+/// `reflect`: Material::reflect with its textures. `dir` unit, the direction in which the ray came. Rays never dive
+/// under the surface because of an interpolated normal: where one would, the geometric normal takes its place.
 template <typename Real>
-Scattered<Real> scatter(const Material& material, const Surface<Real>& surface, const Vec3<Real>& dir) {
+Scattered<Real> scatter(const Material& material, const Vec3<Real>& reflect, const Surface<Real>& surface,
+                        const Vec3<Real>& dir) {
   using V = Vec3<Real>;
   Scattered<Real> out;
-  const V reflect(material.reflect), transmit(material.transmit);
+  const V transmit(material.transmit);
 
   V normal = surface.normal;
   if (glm::dot(dir, normal) > 0) normal = surface.side;  // seen from behind its interpolated normal
@@ -61,6 +62,11 @@ Scattered<Real> scatter(const Material& material, const Surface<Real>& surface, 
     out.refracted_weight = (1 - reflected) * transmit;
   }
   return out;
+}
+
+template <typename Real>
+Scattered<Real> scatter(const Material& material, const Surface<Real>& surface, const Vec3<Real>& dir) {
+  return scatter(material, Vec3<Real>(material.reflect), surface, dir);
 }
 
 }  // namespace hybridrt

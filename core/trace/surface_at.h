@@ -47,11 +47,15 @@ Surface<Real> surface_at(const Scene& scene, uint32_t triangle, Real u, Real v, 
   return surface;
 }
 
-/// A ray that leaves `surface` on the side that it was seen from (toward = true) or through it.
+/// A ray that leaves `surface` on the side that it was seen from (toward = true) or through it. It starts at its
+/// offset from the surface, on the line through the point along `dir`, so that the offset moves nothing that it meets;
+/// at grazing angles, where that would be far along, less so. `dir` unit.
 template <typename Real>
 Ray<Real> leave(const Surface<Real>& surface, const Vec3<Real>& dir, bool toward = true) {
+  const Vec3<Real> side = toward ? surface.side : -surface.side;
+  const Real cosine = glm::dot(dir, side);
   Ray<Real> ray;
-  ray.origin = surface.point + (toward ? surface.offset : -surface.offset) * surface.side;
+  ray.origin = surface.point + surface.offset * (side + (dir - cosine * side) / std::max(cosine, Real(0.25)));
   ray.dir = dir;
   return ray;
 }

@@ -47,8 +47,7 @@ TraceStats for_each_tile(const View& view, ThreadPool& pool, const Body& body) {
 }
 
 /// The surface that a pixel sees, found again from its triangle in double precision.
-Surface<float> primary_surface(const TraceJob& job, uint32_t triangle, const dvec3& dir) {
-  const dvec3 weights = seen_barycentrics(job.scene, triangle, job.view.eye, dir);
+Surface<float> surface_from(const TraceJob& job, uint32_t triangle, const dvec3& weights, const dvec3& dir) {
   return surface_at(job.scene, triangle, static_cast<float>(weights.y), static_cast<float>(weights.z), vec3(dir));
 }
 
@@ -96,7 +95,24 @@ class TileTrace {
 
     const dvec3 dir = glm::normalize(job_.view.pixel_dir(x, y));
     if (wants_lit && marked) ask_light(index, triangle, dir);
-    if (scatters) generations_.add_scattered(in_tile, primary_surface(job_, triangle, dir), vec3(dir), stats);
+    if (scatters) scatter(x, y, in_tile, triangle, dir, stats);
+  }
+
+  void scatter(int x, int y, uint32_t in_tile, uint32_t triangle, const dvec3& dir, TraceStats& stats) {
+    const dvec3 weights = seen_barycentrics(job_.scene, triangle, job_.view.eye, dir);
+    const Surface<float> surface = surface_from(job_, triangle, weights, dir);
+    const Material& material = job_.scene.materials[surface.material];
+    vec3 reflect = material.reflect;
+    float distance = 0, solid_angle = 0;
+    if (job_.scene.textures) {
+      distance = static_cast<float>(glm::distance(job_.view.eye, dvec3(surface.point)));
+      solid_angle = static_cast<float>(job_.view.pixel_solid_angle(x, y));
+      if (material.texture_maps != 0)
+        reflect = textured_colors(job_.scene, triangle, static_cast<float>(weights.y), static_cast<float>(weights.z),
+                                  vec3(dir), solid_angle, distance)
+                      .reflect;
+    }
+    generations_.add_scattered(in_tile, surface, reflect, vec3(dir), distance, solid_angle, stats);
   }
 
   void ask_light(size_t index, uint32_t triangle, const dvec3& dir) {
@@ -106,7 +122,8 @@ class TileTrace {
       query->anywhere = job_.eye_enclosed;
       shadow_queries_.push_back(*query);
     } else {
-      const Surface<float> surface = primary_surface(job_, triangle, dir);
+      const Surface<float> surface =
+          surface_from(job_, triangle, seen_barycentrics(job_.scene, triangle, job_.view.eye, dir), dir);
       const vec3 to_light(job_.light.toward);
       if (glm::dot(surface.side, to_light) <= 0) return;  // the unlit side needs no ray
       shadow_rays_.push_back(leave(surface, to_light));

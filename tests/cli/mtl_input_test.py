@@ -8,9 +8,9 @@ import zlib
 
 from scene_case import SceneCase
 
-# Two panels side by side; 'left' is on line 6, 'right' on line 8.
+# Two panels side by side; 'left' is on line 6, 'right' on line 8. Each has a whole texture.
 PANELS = """v -1 0 0\nv 0 0 0\nv 0 1 0\nv -1 1 0\nv 1 0 0\nv 1 1 0
-usemtl {}\nf 1 2 3 4\nusemtl {}\nf 2 5 6 3\n"""
+usemtl {}\nf 1/1 2/2 3/3 4/4\nusemtl {}\nf 2/1 5/2 6/3 3/4\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"""
 FRONT = ("--eye", "0,0.5,3", "--target", "0,0.5,0", "--light", "0,0,1")
 RED, BLUE = "newmtl red\nKd 0.8 0 0\n", "newmtl blue\nKd 0 0 0.8\n"
 
@@ -100,21 +100,18 @@ class NumbersTest(MtlCase):
 
 
 class TextureTest(MtlCase):
-    """Warnings that textures as such are left out are none of these tests' business."""
-
     def told(self, *says, maps):
         self.write("both.mtl", RED + "".join(f"map_Kd {name}\n" for name in maps) + BLUE)
         _, lines = self.picture(self.panels(["both.mtl"]), *FRONT)
-        lines = [line for line in lines if "are not read" not in line]
         self.assertEqual(len(lines), len(says), lines)
         for line, part in zip(lines, says):
             self.assertIn(part, line)
 
-    def write_png(self, name, width, height):
+    def write_png(self, name, width, height, color=(0, 0, 0)):
         def chunk(kind, data):
             return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
         packer = zlib.compressobj(1)
-        row = bytes(1 + 3 * width)
+        row = b"\0" + bytes(color) * width
         body = b"".join(packer.compress(row) for _ in range(min(height, 64))) + packer.flush()
         header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
         self.write_bytes(name, b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", body) +
@@ -136,13 +133,36 @@ class TextureTest(MtlCase):
         self.told("1 texture names lead to other folders", "1 texture files are missing",
                   maps=[self.path("outside", "secret.png")])
 
-    def test_corrupt_and_huge_take_no_memory(self):
+    def test_corrupt_and_huge_are_checkers_and_take_no_memory(self):
         self.write_bytes("torn.png", b"\x89PNG\r\n\x1a\n\0\0\0")
         self.write_png("huge.png", 65535, 65535)
         self.write("both.mtl", RED + "map_Kd torn.png\n" + BLUE + "map_Kd huge.png\n")
-        _, lines = self.picture(self.panels(["both.mtl"]), *FRONT)
-        self.assertTrue(lines, "a warning at least")
+        self.panels(["both.mtl"])
+        rows, lines = self.picture("panels.obj", *FRONT)
+        self.assertEqual(len(lines), 1, lines)
+        self.assertIn("2 textures cannot be used: map_Kd becomes a checker", lines[0])
+        self.assertIn("torn.png: broken image: it is cut short", lines[0])
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 500 * 1024, "KiB")
+        self.assertGreater(len({tuple(rows[12][3 * x:3 * x + 3]) for x in range(9, 16)}), 1, "a checker")
+
+    def test_is_drawn_in_its_colour(self):
+        self.write_png("wood.png", 5, 3, (200, 100, 50))
+        linear = [((code / 255 + 0.055) / 1.055) ** 2.4 for code in (200, 100, 50)]
+        self.write("number.mtl", "newmtl red\nKd {} {} {}\n".format(*(0.7 * x for x in linear)) + BLUE)
+        expected = self.fine(self.panels(["number.mtl"]), *FRONT)
+        self.write("both.mtl", "newmtl red\nKd .7 .7 .7\nmap_Kd -s 3 3 wood.png\n" + BLUE)
+        for ours, theirs in zip(self.fine(self.panels(["both.mtl"]), *FRONT), expected):
+            for a, b in zip(ours, theirs):
+                self.assertLessEqual(abs(a - b), 1)
+
+    def test_without_texture_coordinates(self):
+        self.write_png("wood.png", 5, 3, (200, 100, 50))
+        self.write("both.mtl", RED + "map_Kd wood.png\n" + BLUE)
+        self.panels(["both.mtl"])
+        with open(self.path("panels.obj"), encoding="utf-8") as file:
+            text = file.read()
+        self.write("panels.obj", text.replace("f 1/1 2/2 3/3 4/4", "f 1 2 3 4"))
+        self.warn("panels.obj", "2 triangles have a texture but not all of their texture coordinates", options=FRONT)
 
 
 if __name__ == "__main__":

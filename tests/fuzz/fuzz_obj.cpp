@@ -32,7 +32,8 @@ struct Reading {
   bool operator==(const Reading& other) const {
     return error == other.error && warnings == other.warnings && data.positions == other.data.positions &&
            data.normals == other.data.normals && data.triangle_positions == other.data.triangle_positions &&
-           data.triangle_normals == other.data.triangle_normals &&
+           data.triangle_normals == other.data.triangle_normals && data.texcoords == other.data.texcoords &&
+           data.triangle_texcoords == other.data.triangle_texcoords &&
            data.triangle_materials == other.data.triangle_materials &&
            data.triangle_places == other.data.triangle_places && data.material_names == other.data.material_names;
   }

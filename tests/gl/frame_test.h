@@ -10,11 +10,9 @@
 namespace hybridrt {
 
 /// A small orbit around `scene`, as `hybridrt render` would set it up.
-inline RenderJob orbit_job(const std::string& scene, int frames, int width_px = 160, int height_px = 120) {
+inline RenderJob orbit_job(Scene scene, int frames, int width_px = 160, int height_px = 120) {
   RenderJob job;
-  ThreadPool pool(1);
-  Warnings warnings;
-  job.scene = load_scene(scene, pool, warnings);
+  job.scene = std::move(scene);
   job.settings.width_px = width_px;
   job.settings.height_px = height_px;
   job.settings.shadow_map_px = 1024;
@@ -24,6 +22,12 @@ inline RenderJob orbit_job(const std::string& scene, int frames, int width_px = 
   job.light.light = default_light(Surroundings::outside, camera_at(job.motion, 1), job.settings.ambient);
   job.shaders = gl::embedded_shaders();
   return job;
+}
+
+inline RenderJob orbit_job(const std::string& scene, int frames, int width_px = 160, int height_px = 120) {
+  ThreadPool pool(1);
+  Warnings warnings;
+  return orbit_job(load_scene(scene, pool, warnings), frames, width_px, height_px);
 }
 
 inline std::vector<Frame> render_all(const RenderJob& job, RunFacts* facts = nullptr) {

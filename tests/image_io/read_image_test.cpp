@@ -89,11 +89,59 @@ TEST(ReadImage, RefusesFilesCutShort) {
   }
 }
 
+// libpng would write of them to standard error.
+TEST(ReadImage, DamagedPngsAreToldOfByUs) {
+  const std::string bytes = EncodedFile::as_string(encode_image(gradient(20, 20, 3), "png"));
+  testing::internal::CaptureStderr();
+  for (size_t size = 8; size < bytes.size(); size += 7)
+    expect_refused(EncodedFile(bytes.substr(0, size), "png").path, "it is cut short");
+  for (size_t place : {size_t{20}, bytes.size() / 2, bytes.size() - 2}) {
+    std::string damaged = bytes;
+    damaged[place] = static_cast<char>(damaged[place] ^ 4);
+    expect_refused(EncodedFile(damaged, "png").path, "checksum");
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(ReadImage, RefusesHugeSizesBeforeAllocating) {
   expect_refused(EncodedFile(bmp_header(65501, 1), "bmp").path, "too large");
   expect_refused(EncodedFile(bmp_header(1, 65501), "bmp").path, "too large");
   expect_refused(EncodedFile(bmp_header(40000, 40000), "bmp").path, "too large");
   expect_refused(EncodedFile(bmp_header(30000, 30000), "bmp").path, "broken image");
+}
+
+constexpr uint64_t kMany = 1 << 20;
+
+TEST(ReadTexels, GivesDisplayCodesOfEveryFormat) {
+  const Image image = gradient(9, 150, 3);  // more rows than a strip
+  const std::vector<uint8_t> codes = srgb8_from_linear(image);
+  for (const char* format : {"png", "bmp", "tga", "tif", "exr"}) {
+    const TexelImage texels = read_texels(EncodedFile(image, format).path, 1000, kMany);
+    EXPECT_FALSE(texels.has_alpha);
+    ASSERT_EQ(texels.texels.size(), image.pixel_count()) << format;
+    for (size_t i = 0; i < image.pixel_count(); ++i)
+      ASSERT_EQ(texels.texels[i],
+                codes[3 * i] | codes[3 * i + 1] << 8 | codes[3 * i + 2] << 16 | 0xFF000000u) << format << ' ' << i;
+  }
+}
+
+TEST(ReadTexels, GreyAndAlpha) {
+  Image image(2, 1, 4);
+  image.data = {1, 0, 0, 0.5f, 1, 1, 0, 0};
+  const TexelImage texels = read_texels(EncodedFile(image, "png").path, 10, 10);
+  EXPECT_TRUE(texels.has_alpha);
+  EXPECT_EQ(texels.texels, (std::vector<uint32_t>{0x800000FFu, 0x0000FFFFu})) << "not multiplied by alpha";
+  EXPECT_EQ(read_texels(EncodedFile(Image(1, 1, 1, 1.0f), "png").path, 10, 10).texels[0], 0xFFFFFFFFu);
+}
+
+TEST(ReadTexels, RefusesWhatIsTooLargeBeforeItIsRead) {
+  const EncodedFile huge(bmp_header(65000, 16000), "bmp");
+  EXPECT_THROW(read_texels(huge.path, 16384, uint64_t{1} << 40), Error);
+  const EncodedFile small(gradient(8, 8, 3), "png");
+  EXPECT_NO_THROW(read_texels(small.path, 8, 64));
+  EXPECT_THROW(read_texels(small.path, 7, 64), Error);
+  EXPECT_THROW(read_texels(small.path, 8, 63), Error);
+  EXPECT_THROW(read_texels(EncodedFile(std::string("no picture"), "png").path, 8, 64), Error);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "core/scene/spheres.h"
+#include "shaders/shared.h"
+#include "textured_scenes.h"
 
 namespace hybridrt {
 namespace {
@@ -39,6 +41,24 @@ TEST(SceneFingerprint, ChangesWithEveryField) {
   for (const auto& [what, change] : changes) {
     Scene changed = scene();
     change(changed);
+    EXPECT_TRUE(seen.insert(fingerprint(changed)).second) << what;
+  }
+}
+
+TEST(SceneFingerprint, ChangesWithTextures) {
+  const Scene textured = textured_triangle(pattern_named("noise", 100, 1000));
+  const std::vector<std::pair<const char*, std::function<void(Textures&)>>> changes = {
+      {"texel", [](Textures& t) { t.words.back() ^= 1; }},
+      {"option", [](Textures& t) { t.words[t.words[t.triangle_maps[0]] + HRT_TEXTURE_FLAGS] ^= HRT_TEXTURE_CLAMPED; }},
+      {"coordinate", [](Textures& t) { t.texcoords[0].x += 0.1f; }},
+      {"corner", [](Textures& t) { t.triangle_texcoords[0].x = 1; }},
+      {"maps", [](Textures& t) { t.triangle_maps[0] = 0; }}};
+  std::set<uint64_t> seen = {fingerprint(textured)};
+  for (const auto& [what, change] : changes) {
+    Textures textures = *textured.textures;
+    change(textures);
+    Scene changed = textured;
+    changed.textures = std::make_shared<const Textures>(std::move(textures));
     EXPECT_TRUE(seen.insert(fingerprint(changed)).second) << what;
   }
 }

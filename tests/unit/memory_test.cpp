@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/render/memory_estimate.h"
+#include "textured_scenes.h"
 #include "core/scene/loading_bytes.h"
 #include "core/scene/mesh_io.h"
 #include "core/scene/scene_source.h"
@@ -105,6 +106,22 @@ TEST(FrameMemory, IsBoundedByThePicturesThatWaitNotByTheSequence) {
   RenderSettings with_aovs;
   with_aovs.aovs = kAovId | kAovDepth;
   EXPECT_EQ(estimate_frame_memory(with_aovs, 2, 1).pictures, 3 * one);
+}
+
+TEST(SceneMemory, TexturesCountTwiceWithGl) {
+  Scene scene = textured_room();
+  const size_t textures = scene.textures->memory_bytes();
+  EXPECT_GT(textures, 4 * (12 * 7 + 32 * 32));
+  RenderSettings settings;
+  const auto estimate = [&] {
+    return estimate_memory(scene, make_scene_facts(scene), settings, Accel::kdtree, false, 1, 1);
+  };
+  const MemoryEstimate with = estimate();
+  scene.textures = nullptr;
+  EXPECT_EQ(with.scene - estimate().scene, textures);
+  EXPECT_EQ(with.gpu_scene - estimate().gpu_scene, textures);
+  settings.method = Method::raytrace;
+  EXPECT_EQ(estimate().gpu_scene, 0u);
 }
 
 TEST(FrameMemory, IsRefusedAboveTheLimit) {

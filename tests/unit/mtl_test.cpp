@@ -90,20 +90,64 @@ TEST(Mtl, NumbersThatAreNoneAreErrors) {
 TEST(Mtl, CountsTexturesAndForeignColours) {
   Warnings warnings;
   read_text(
-      "newmtl m\nmap_Kd -o 1 2 a b.png\nbump x.png\nKd spectral a.rfl\nKs xyz 1 1 1\nmap_Ks /etc/passwd\n",
+      "newmtl m\nmap_Kd -o 1 2 a b.png\nbump x.png\nmap_Ka a.png\nKd spectral a.rfl\nKs xyz 1 1 1\n"
+      "map_Ks /etc/passwd\nmap_Ns y.png\n",
       warnings);
-  EXPECT_TRUE(warned(warnings, "test.mtl: 3 texture maps are not read yet (first at line 2)"));
+  EXPECT_TRUE(warned(warnings, "test.mtl: 2 texture maps (bump, disp and others) are not read yet (first at line 3)"));
   EXPECT_TRUE(warned(warnings, "2 colours are given as spectral or xyz"));
 }
 
 TEST(Mtl, TextureNamesArePickedOutOfTheirOptions) {
-  EXPECT_EQ(texture_name(" a.png"), "a.png");
-  EXPECT_EQ(texture_name(" -o 1 2 my wood.png "), "my wood.png");
-  EXPECT_EQ(texture_name("-s 1 1 1 -mm 0 1 -bm 0.3 -clamp on -imfchan r -type sphere a b.png"), "a b.png");
-  EXPECT_EQ(texture_name("-o 0.5 3.png"), "3.png") << "fewer numbers than three";
-  EXPECT_EQ(texture_name("a-b -c.png -texres 64"), "a-b -c.png") << "an option behind the name";
-  EXPECT_EQ(texture_name("-o -1 -2 -3 x.png"), "x.png");
-  EXPECT_EQ(texture_name("-blendu on"), "");
+  EXPECT_EQ(read_texture_statement(" a.png").name, "a.png");
+  EXPECT_EQ(read_texture_statement(" -o 1 2 my wood.png ").name, "my wood.png");
+  EXPECT_EQ(read_texture_statement("-s 1 1 1 -mm 0 1 -bm 0.3 -clamp on -imfchan r -type sphere a b.png").name, "a b.png");
+  EXPECT_EQ(read_texture_statement("-o 0.5 3.png").name, "3.png") << "fewer numbers than three";
+  EXPECT_EQ(read_texture_statement("a-b -c.png -texres 64").name, "a-b -c.png") << "an option behind the name";
+  EXPECT_EQ(read_texture_statement("-o -1 -2 -3 x.png").name, "x.png");
+  EXPECT_EQ(read_texture_statement("-blendu on").name, "");
+}
+
+TEST(Mtl, TextureOptionsInFrontAndBehind) {
+  const TextureMap map = read_texture_statement("-s 2 3 1 -mm 0.1 0.4 a b.png -o .5 -.25 -clamp on -imfchan m").map;
+  EXPECT_EQ(map.scale, vec2(2, 3));
+  EXPECT_EQ(map.offset, vec2(.5f, -.25f));
+  EXPECT_TRUE(map.clamped);
+  EXPECT_EQ(map.base, 0.1f);
+  EXPECT_EQ(map.gain, 0.4f);
+  EXPECT_EQ(map.channel, 'm');
+
+  const TextureMap odd =
+      read_texture_statement("-s 5 -clamp off -imfchan rgb -mm x 1e99 -bm 3 -t 1 1 1 -texres 512 x.png").map;
+  EXPECT_EQ(odd.scale, vec2(5, 1)) << "what is not given stays";
+  EXPECT_FALSE(odd.clamped);
+  EXPECT_EQ(odd.base, 0);
+  EXPECT_EQ(odd.gain, 1e6f);
+  EXPECT_EQ(odd.channel, 0);
+}
+
+TEST(Mtl, KeepsTheLastMapOfAKind) {
+  const TemporaryFolder folder;
+  folder.write("a.png", "x");
+  folder.write("b.png", "x");
+  Warnings warnings;
+  std::vector<Material> materials;
+  read_mtl(folder.write("test.mtl", "newmtl m\nKs .5\nmap_Kd a.png\nmap_Ks b.png\nbump a.png\nmap_d gone.png\n"
+                                    "map_Kd -s 2 b.png\nnewmtl n\nKd 0\nmap_Kd a.png\nnewmtl o\nKd 0 0 1\n"
+                                    "map_Kd a.png\nmap_Ke b.png\n"),
+           materials, warnings);
+  ASSERT_EQ(materials.at(0).maps.size(), 3u);
+  const std::vector<TextureMap>& maps = materials[0].maps;
+  EXPECT_EQ(maps[0].kind, MapKind::specular);
+  EXPECT_FALSE(maps[0].alone) << "Ks is given";
+  EXPECT_EQ(maps[1].kind, MapKind::holes);
+  EXPECT_TRUE(maps[1].path.empty());
+  EXPECT_EQ(maps[2].kind, MapKind::diffuse);
+  EXPECT_EQ(maps[2].path, folder.path / "b.png");
+  EXPECT_EQ(maps[2].scale, vec2(2, 1));
+  EXPECT_TRUE(maps[2].alone) << "no Kd";
+  EXPECT_TRUE(materials.at(1).maps.at(0).alone) << "black";
+  EXPECT_FALSE(materials.at(2).maps.at(0).alone);
+  EXPECT_TRUE(materials.at(2).maps.at(1).alone) << "no Ke";
 }
 
 TEST(Mtl, TexturesAreFoundBesideTheFileOnly) {
@@ -132,7 +176,6 @@ TEST(Mtl, SaysWhichTexturesAreMissingOrForeign) {
   Warnings warnings;
   std::vector<Material> materials;
   read_mtl(folder.write("test.mtl", "newmtl m\nmap_Kd C:\\x\\wood.png\nmap_Ks gone away.png\n"), materials, warnings);
-  EXPECT_TRUE(warned(warnings, "2 texture maps are not read yet"));
   EXPECT_TRUE(warned(warnings, "1 texture names lead to other folders"));
   EXPECT_TRUE(warned(warnings, "1 texture files are missing ('gone away.png') (first at line 3)"));
 }

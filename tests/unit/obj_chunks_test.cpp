@@ -35,6 +35,8 @@ void expect_same(const Reading& a, const Reading& b) {
   EXPECT_EQ(a.data.normals, b.data.normals);
   EXPECT_EQ(a.data.triangle_positions, b.data.triangle_positions);
   EXPECT_EQ(a.data.triangle_normals, b.data.triangle_normals);
+  EXPECT_EQ(a.data.texcoords, b.data.texcoords);
+  EXPECT_EQ(a.data.triangle_texcoords, b.data.triangle_texcoords);
   EXPECT_EQ(a.data.triangle_materials, b.data.triangle_materials);
   EXPECT_EQ(a.data.triangle_places, b.data.triangle_places);
   EXPECT_EQ(a.data.material_names, b.data.material_names);

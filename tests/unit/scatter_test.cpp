@@ -128,6 +128,57 @@ TYPED_TEST(Scatter, ReflectionsNeverDiveUnderTheSurface) {
   }
 }
 
+// Between 0 and 90 degrees in fine steps toward the ends, where cosines vanish.
+TYPED_TEST(Scatter, FresnelHoldsUpToGrazingAngles) {
+  using Real = TypeParam;
+  for (bool outside : {true, false})
+    for (double from_grazing : {0.0, 1e-16, 1e-12, 1e-8, 1e-6, 1e-4, 1e-2}) {
+      const auto s = scatter(glass(1.5f), floor_surface<Real>(outside), coming_at<Real>(1 - from_grazing));
+      ASSERT_TRUE(finite(s)) << from_grazing;
+      EXPECT_NEAR(s.reflected_weight.x + s.refracted_weight.x, 1, kTolerance<Real>) << from_grazing;
+      EXPECT_GT(s.reflected_weight.x, from_grazing < 1e-7 ? 0.99 : 0.4) << from_grazing;
+    }
+}
+
+// Tf colours what passes, once a surface; what is reflected keeps its colour, inside too.
+TYPED_TEST(Scatter, TfFiltersWhatPassesAndNothingElse) {
+  using Real = TypeParam;
+  Material green = glass(1.5f);
+  green.transmit = vec3(0.25f, 0.75f, 0.5f);
+  for (bool outside : {true, false}) {
+    const auto s = scatter(green, floor_surface<Real>(outside), coming_at<Real>(0));
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(s.reflected_weight[k], 0.04, kTolerance<Real>);
+      EXPECT_NEAR(s.refracted_weight[k], 0.96 * green.transmit[k], kTolerance<Real>);
+    }
+  }
+  const auto total = scatter(green, floor_surface<Real>(false), coming_at<Real>(0.9));
+  EXPECT_EQ(total.reflected_weight, Vec3<Real>(1));
+}
+
+// A new ray starts off its surface, by the whole offset however flat it leaves, and yet lies on the line through the
+// surface's point: an offset to the side would be magnified by every curved mirror that it meets.
+TYPED_TEST(Scatter, RaysLeaveOnTheirLine) {
+  using Real = TypeParam;
+  Random random(11);
+  int steep = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Surface<Real> s;
+    s.side = glm::normalize(Vec3<Real>(random.direction()));
+    s.offset = Real(0.01);
+    Vec3<Real> dir = turned_toward(glm::normalize(Vec3<Real>(random.direction())), s.side);
+    const bool toward = i % 2;
+    if (!toward) dir = -dir;
+    const Vec3<Real> origin = leave(s, dir, toward).origin, side = toward ? s.side : -s.side;
+    ASSERT_NEAR(glm::dot(origin, side), s.offset, kTolerance<Real>) << i;
+    ASSERT_LE(glm::length(origin), 4.2 * s.offset) << "not far along the ray, " << i;
+    if (glm::dot(dir, side) < 0.25) continue;
+    ++steep;
+    ASSERT_LE(glm::length(glm::cross(origin, dir)), kTolerance<Real>) << i;
+  }
+  EXPECT_GT(steep, 10000);
+}
+
 TYPED_TEST(Scatter, PlainMirrorAndSchlick) {
   using Real = TypeParam;
   Material mirror;

@@ -100,5 +100,18 @@ TEST(View, SceneOriginIsTakenOff) {
   EXPECT_NEAR(glm::distance(far.pixel_dir(5, 7), near.pixel_dir(5, 7)), 0, 1e-8);
 }
 
+// The picture's solid angle, summed over its pixels, is that of a rectangle seen from its middle's axis.
+TEST(View, PixelsShareTheSolidAngleOfThePicture) {
+  View view;
+  view.width_px = view.frame_width_px = 160, view.height_px = view.frame_height_px = 120;
+  view.tan_half_width = 1.2, view.tan_half_height = 0.9;
+  double sum = 0;
+  for (int y = 0; y < view.height_px; ++y)
+    for (int x = 0; x < view.width_px; ++x) sum += view.pixel_solid_angle(x, y);
+  const double a = view.tan_half_width, b = view.tan_half_height;
+  EXPECT_NEAR(sum, 4 * std::atan(a * b / std::sqrt(1 + a * a + b * b)), 1e-4);
+  EXPECT_GT(view.pixel_solid_angle(80, 60), 3 * view.pixel_solid_angle(0, 0)) << "smaller toward the corners";
+}
+
 }  // namespace
 }  // namespace hybridrt

@@ -1,0 +1,82 @@
+// Pass 5: ambient + shadow * (diffuse + specular) + what pass 4 traced, once a pixel from its id.
+// HRT_TEXTURED: some materials have maps.
+#include "scene.glsl"
+#ifdef HRT_TEXTURED
+#include "texture_words.glsl"
+#endif
+
+layout(binding = HRT_UNIT_MASK) uniform usampler2D mask;  // HRT_MASK_LIT counts
+layout(binding = HRT_UNIT_TRACED) uniform sampler2D traced;
+layout(binding = HRT_UNIT_NORMALS) uniform samplerBuffer normals;
+layout(binding = HRT_UNIT_TRIANGLE_NORMALS) uniform usamplerBuffer triangle_normals;
+layout(binding = HRT_UNIT_TRIANGLE_MATERIALS) uniform usamplerBuffer triangle_materials;
+layout(binding = HRT_UNIT_MATERIALS) uniform samplerBuffer materials;
+layout(binding = HRT_IMAGE_OUT, rgba32f) uniform writeonly image2D picture;
+
+uniform int use_mask;    // 0: no shadows at all
+uniform int use_traced;  // 0: no ray of pass 4 adds light
+uniform vec3 to_light;
+uniform vec3 light;
+uniform vec3 ambient;
+uniform vec3 background;
+
+vec3 shading_normal(uint id, vec3 weights, vec3 side) {
+  uvec3 corners = texelFetch(triangle_normals, int(id)).xyz;
+  vec3 n = weights.x * texelFetch(normals, int(corners.x)).xyz + weights.y * texelFetch(normals, int(corners.y)).xyz +
+           weights.z * texelFetch(normals, int(corners.z)).xyz;
+  return turned_toward(normalized_or(n, side), side);
+}
+
+#ifdef HRT_TEXTURED
+layout(binding = HRT_UNIT_TEXCOORDS) uniform samplerBuffer texcoords;
+layout(binding = HRT_UNIT_TRIANGLE_TEXCOORDS) uniform usamplerBuffer triangle_texcoords;
+
+uniform float pixel_area;  // where its direction's component along the camera's axis is 1
+
+void apply_textures(uint maps, uint id, Triangle t, vec3 weights, vec3 dir, inout vec3 kd, inout vec3 ks,
+                    inout vec3 ke) {
+  uvec3 corners = texelFetch(triangle_texcoords, int(id)).xyz;
+  vec2 t0 = texelFetch(texcoords, int(corners.x)).xy;
+  vec2 t1 = texelFetch(texcoords, int(corners.y)).xy;
+  vec2 t2 = texelFetch(texcoords, int(corners.z)).xy;
+  vec2 uv = weights.x * t0 + weights.y * t1 + weights.z * t2;
+  float distance_along = length(weights.x * t.p0 + weights.y * t.p1 + weights.z * t.p2);
+  float footprint = pixel_footprint(t.p1 - t.p0, t.p2 - t.p0, t1 - t0, t2 - t0, normalize(dir),
+                                    pixel_solid_angle(dir, pixel_area), distance_along);
+  kd = mapped_color(maps, HRT_MAP_DIFFUSE, kd, uv, footprint);
+  ks = mapped_color(maps, HRT_MAP_SPECULAR, ks, uv, footprint);
+  ke = mapped_color(maps, HRT_MAP_EMITTED, ke, uv, footprint);
+}
+#endif
+
+vec3 shaded(ivec2 pixel, uint id) {
+  vec3 dir = pixel_ray(pixel);
+  Triangle t = fetch_triangle(id);
+  vec3 weights = clamped_barycentrics(t.p0, t.p1, t.p2, dir);
+  vec3 side = geometric_normal(t, dir);
+  float lit = dot(side, to_light) <= 0.0 ? 0.0 : 1.0;  // seen from its unlit side: in shadow
+  if (use_mask != 0 && (texelFetch(mask, pixel, 0).r & HRT_MASK_LIT) == 0u) lit = 0.0;
+
+  int material = int(texelFetch(triangle_materials, int(id)).r) * HRT_MATERIAL_TEXELS;
+  vec4 kd_ns = texelFetch(materials, material);
+  vec4 ks_opacity = texelFetch(materials, material + 1);
+  vec4 ke_maps = texelFetch(materials, material + 2);
+  vec3 kd = kd_ns.rgb;
+  vec3 ks = ks_opacity.rgb;
+  vec3 ke = ke_maps.rgb;
+#ifdef HRT_TEXTURED
+  if (ke_maps.a != 0.0) apply_textures(uint(ke_maps.a), id, t, weights, dir, kd, ks, ke);
+#endif
+  vec3 color = phong(kd, ks, ke, kd_ns.a, ks_opacity.a, shading_normal(id, weights, side),
+                     normalize(-dir), to_light, ambient, light, lit);
+  return use_traced != 0 ? color + texelFetch(traced, pixel, 0).rgb : color;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, textureSize(ids, 0)))) return;
+  uint id = texelFetch(ids, pixel, 0).r;
+  // Alpha tells a surface from the background.
+  vec4 color = id == HRT_NO_TRIANGLE ? vec4(background, 0.0) : vec4(shaded(pixel, id), 1.0);
+  imageStore(picture, pixel, color);
+}

@@ -1,0 +1,3 @@
+#version 450 core
+#define HRT_TEXTURED
+#include "shade.glsl"

@@ -1,0 +1,9 @@
+// The words of all textures, as a 2-D texture: it may be larger than buffers may.
+#include "shared.h"
+layout(binding = HRT_UNIT_TEXTURE_WORDS) uniform usampler2D texture_words;
+
+uint texture_word(uint i) {
+  uint width_shift = uint(HRT_TEXTURE_WORDS_WIDTH_SHIFT);
+  return texelFetch(texture_words, ivec2(i & ((1u << width_shift) - 1u), i >> width_shift), 0).r;
+}
+#include "texture.glsl"

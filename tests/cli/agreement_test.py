@@ -1,0 +1,47 @@
+"""Every method's picture against the reference's, small: the targets of scripts/agreement.py."""
+
+import math
+import pathlib
+import sys
+import unittest
+
+from cli_test_case import BINARY, CliTestCase, Png
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "scripts"))
+import agreement  # noqa: E402
+
+SIZE = "160x120"
+SCENES = ["scene:chess,triangles=20000", "scene:chess,triangles=20000,reflective=100", "scene:spheres,triangles=5000",
+          "scene:spheres,triangles=5000,reflective=100", "scene:thin,triangles=20000"]
+
+
+class AgreementTest(CliTestCase):
+    def test_every_method_meets_the_targets(self):
+        for scene in SCENES:
+            results, _ = agreement.measure(BINARY, scene, SIZE)
+            for method, found in results.items():
+                with self.subTest(scene=scene, method=method):
+                    self.assertEqual(found.missed(), [], agreement.row(scene, method, found))
+
+    def test_what_misses_is_seen(self):
+        """One generation of rays less, and no shadows, are far from the targets: they can fail."""
+        for fewer in (["--reflection-depth", "1"], ["--shadows", "none"]):
+            methods = [("fewer", ["--method", "raytrace", *fewer])]
+            results, _ = agreement.measure(BINARY, SCENES[0], SIZE, methods=methods)
+            self.assertEqual(results["fewer"].missed(), ["PSNR", "pixels off"], fewer)
+
+    def test_numbers(self):
+        """Of 10 pixels one is off by 10 in a channel, one by 2, and one by 20 where the triangle is another."""
+        def strip(values):
+            return Png(10, 1, [bytearray(value for x in range(10) for value in (0, 0, values.get(x, 0)))])
+
+        found = agreement.Agreement(strip({1: 10, 2: 2, 3: 20}), strip({}), strip({3: 1}), strip({}))
+        self.assertEqual((found.off, found.other, found.off_elsewhere, found.worst), (2, 1, 1, 10))
+        self.assertAlmostEqual(found.psnr, 10 * math.log10(255 ** 2 * 30 / 504))
+        self.assertAlmostEqual(found.psnr_elsewhere, 10 * math.log10(255 ** 2 * 27 / 104))
+        self.assertEqual(found.missed(), ["triangles", "PSNR", "pixels off"])
+        self.assertEqual(agreement.Agreement(strip({1: 3}), strip({1: 3}), strip({}), strip({})).psnr, math.inf)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/image/texel_image.h"
+#include "core/scene/scene.h"
+
+namespace hybridrt {
+
+inline uint32_t texel_of(uint32_t red, uint32_t green, uint32_t blue, uint32_t alpha = 255) {
+  return red | green << 8 | blue << 16 | alpha << 24;
+}
+
+/// Pictures without files, by the beginning of a file's name: "noise" 12 x 7 opaque texels of random colour, "leaf"
+/// 32 x 32 with round holes, "mask" 8 x 8 in grey, dark and bright by turns, "torn" refuses.
+TexelImage pattern_named(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
+
+/// `image` as the only texture (map_Kd) of a scene of one triangle, (0,0,0) (1,0,0) (0,1,0), whose texture coordinates
+/// are its x and y.
+Scene textured_triangle(const TexelImage& image, TextureMap map = {});
+
+/// Every second triangle with holes; texture coordinates at random.
+Scene with_random_holes(Scene scene, uint32_t seed);
+
+/// A tiled floor, a leaf with holes over it, a mirror with a map_Ks behind, all of a file's statements; loaded from OBJ
+/// and MTL.
+Scene textured_room();
+
+}  // namespace hybridrt
