@@ -14,6 +14,10 @@ render scene:thin --size 800x600 --samples 16 -o "$out/thin.png"
 render scenes/still_life.obj --size 800x600 -o "$out/still_life.png" --reflection-depth 8 --samples 16
 render scenes/still_life.obj --size 320x240 --shadows blur -o "$out/passes.png" --aov id,shadow,marked,traced
 
+# Textures and holes.
+render scenes/fronds.obj --size 640x480 --eye 2.6,2.2,3.6 --target -0.3,0.8,-0.6 --light 0.5,1,0.4 --samples 16 \
+  -o "$out/fronds.png"
+
 # Shadow boundaries without and with refinement (the paper's figures 8 and 9).
 for shadows in map blur; do
   render scenes/still_life.obj --size 400x300 --eye 0.2,1.5,5.2 --target -1.9,0.15,1.6 --fov 26 --shadow-map 256 \
