@@ -50,6 +50,8 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
       ->type_name("S")->group(method);
   app.add_option("--blur-kernel", o.blur_kernel, "Odd, 1-31 pixels (default 5)")->type_name("K")->group(method);
   app.add_option("--shadow-map", o.shadow_map, "Texels along each side (default 2048)")->type_name("N")->group(method);
+  app.add_option("--samples", o.samples, "Samples a pixel, 1-4096, in a fixed pattern (default 1)")
+      ->type_name("N")->group(method);
   app.add_option("--reflection-depth", o.reflection_depth, "Generations of rays after the first, 0-64 (default 4)")
       ->type_name("D")->group(method);
   app.add_option_function("--accel", by_name("--accel", kAccels, o.accel), "embree (default), kdtree")

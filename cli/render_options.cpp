@@ -45,10 +45,12 @@ RenderSettings make_settings(const RenderOptions& o) {
     throw error(ErrorKind::usage, "--blur-kernel {}: it must be odd, 1 to 31", o.blur_kernel);
   require_range("--shadow-map", o.shadow_map, 1, kLargestSide_px);
   require_range("--reflection-depth", o.reflection_depth, 0, 64);
+  require_range("--samples", o.samples, 1, 4096);
   require_range("--frames-in-flight", o.frames_in_flight, 1, 16);
   s.blur_kernel_px = o.blur_kernel;
   s.shadow_map_px = o.shadow_map;
   s.reflection_depth = o.reflection_depth;
+  s.samples = o.samples;
   s.frames_in_flight = o.frames_in_flight;
   s.aovs = parse_aovs(o.aovs);
   return s;

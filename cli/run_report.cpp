@@ -49,6 +49,7 @@ std::string processor_name() {
 std::string settings_line(const RenderSettings& s) {
   std::string line = fmt::format("{}x{} method {} shadows {} reflection-depth {}", s.width_px, s.height_px,
                                  name_of(s.method), name_of(s.shadows), s.reflection_depth);
+  if (s.samples > 1) line += fmt::format(" samples {}", s.samples);
   if (s.crop)
     line += fmt::format(" crop {},{},{},{}", s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px);
   if (s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur) line += fmt::format(" shadow-map {}", s.shadow_map_px);
@@ -101,6 +102,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
                         {"blur_kernel", s.blur_kernel_px},
                         {"shadow_map", s.shadow_map_px},
                         {"reflection_depth", s.reflection_depth},
+                        {"samples", s.samples},
                         {"frames_in_flight", s.frames_in_flight}};
   report["gl"] = facts.gl ? json{{"device", facts.gl->device},
                                  {"binding", facts.gl->binding},

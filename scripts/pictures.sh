@@ -7,12 +7,12 @@ out=docs/images
 
 render() { "$hybridrt" render "$@" --quiet --timings /dev/null; }
 
-render scene:chess,triangles=600000 --fov 33 --size 1280x720 --reflection-depth 8 -o "$out/chess.png"
-render scene:thin --size 800x600 --shadows rays -o "$out/thin.png"
+render scene:chess,triangles=600000 --fov 33 --size 1280x720 --reflection-depth 8 --samples 16 -o "$out/chess.png"
+render scene:thin --size 800x600 --samples 16 -o "$out/thin.png"
 
 # The whole picture, and what each pass made of it (the paper's figure 3).
-render scenes/still_life.obj --size 800x600 -o "$out/still_life.png" --reflection-depth 8
-render scenes/still_life.obj --size 320x240 -o "$out/passes.png" --aov id,shadow,marked,traced
+render scenes/still_life.obj --size 800x600 -o "$out/still_life.png" --reflection-depth 8 --samples 16
+render scenes/still_life.obj --size 320x240 --shadows blur -o "$out/passes.png" --aov id,shadow,marked,traced
 
 # Shadow boundaries without and with refinement (the paper's figures 8 and 9).
 for shadows in map blur; do
@@ -26,6 +26,15 @@ for depth in 0 1 4; do
     -o "$out/depth_$depth.png"
 done
 
+# Thin casters: the paper's blur and what it gets wrong, the exact shadows, and what was traced for them.
+thin=(scene:thin --size 1024x768 --crop 300,330,420,320)
+render "${thin[@]}" --shadows blur -o "$out/triptych_blur.png" --aov shadow
+render "${thin[@]}" --method reference -o "$out/triptych_truth.png" --aov shadow
+render "${thin[@]}" --shadows exact -o "$out/triptych_exact.png" --aov marked
+"$hybridrt" compare "$out/triptych_blur.shadow.png" "$out/triptych_truth.shadow.png" --diff "$out/triptych_errors.png" >/dev/null ||
+  [ $? = 6 ] # they differ, which is what is shown
+rm "$out"/triptych_blur*.png "$out"/triptych_truth*.png
+
 # The paper's measuring scene.
-render scene:spheres,triangles=500000,reflective=10 --size 800x600 -o "$out/spheres.png"
+render scene:spheres,triangles=500000,reflective=10 --size 800x600 --samples 16 -o "$out/spheres.png"
 rm -f "$out/run.json"

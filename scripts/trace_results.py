@@ -94,17 +94,23 @@ def section(about, results):
     return lines + [""]
 
 
+def text_before_tables(path):
+    """What people wrote stays: everything up to the mark."""
+    mark = "<!-- tables -->"
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    return (text.split(mark)[0] if mark in text else "") + mark + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--build", type=Path, default=Path("build/release"))
     parser.add_argument("-o", "--output", type=Path, default=Path("docs/results/trace.md"))
-    parser.add_argument("--head", type=Path, default=Path("docs/results/trace.head.md"), help="what stands before the tables")
     parser.add_argument("scenes", nargs="*", help="default: the procedural ones")
     args = parser.parse_args()
     scenes = args.scenes or [f"scene:{name},triangles={TRIANGLES}" for name in ("chess", "thin", "spheres")]
 
-    lines = [args.head.read_text(encoding="utf-8")] if args.head.exists() else []
+    lines = [text_before_tables(args.output)]
     names = " ".join(Path(scene).name if os.path.exists(scene) else scene for scene in scenes)
     lines += [f"`scripts/trace_results.py --rounds {args.rounds} {names}`, on {processor()}, medians.", ""]
     for scene in scenes:

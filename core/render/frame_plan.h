@@ -13,6 +13,7 @@ struct FrameRequest {
   Camera camera;
   DirectionalLight light;
   bool light_moves = false;  ///< from frame to frame
+  dvec2 sample_offset_px{0};  ///< see View::sample_px
 };
 
 /// Facts about a scene that plans need; made once.

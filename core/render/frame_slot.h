@@ -4,6 +4,7 @@
 #include "core/gl/timer_query.h"
 #include "core/render/frame_plan.h"
 #include "core/render/frame.h"
+#include "core/trace/settle_shadows.h"
 
 #include <array>
 #include <cstdint>
@@ -30,6 +31,7 @@ struct FrameSlot {
 
   std::vector<uint32_t> repaired_ids;
   std::vector<uint8_t> settled_mask;  ///< of pass 3 on the CPU
+  UnsettledShadows unsettled;
   std::vector<uint8_t> lit_pixels;
   std::vector<vec4> traced_pixels;
   TraceStats stats;

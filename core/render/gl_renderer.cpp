@@ -167,14 +167,15 @@ void GlRenderer::trace(FrameSlot& slot) {
   }
   if (slot.plan.settle) {
     const Stopwatch settling;
-    settle_shadows(job, pool_, slot.read_ids(), slot.settled_mask);
+    settle_shadows(job, pool_, slot.read_ids(), slot.settled_mask, slot.lit_pixels, slot.unsettled);
     mark_repaired(slot);
     slot.settle_ms = settling.elapsed_ms();
   }
   TracePixels pixels{slot.read_ids(), slot.read_mask(), {}, {}};
-  if (slot.plan.trace_shadows) pixels.lit = slot.lit_pixels;
+  if (slot.plan.trace_shadows && !slot.plan.settle) pixels.lit = slot.lit_pixels;
   if (slot.plan.trace_scattered) pixels.traced = slot.traced_pixels;
-  slot.stats = trace_pass(job, caster_, pool_, pixels);
+  if (slot.plan.settle) slot.stats = answer_unsettled(job, pool_, slot.unsettled, slot.lit_pixels);
+  slot.stats.add(trace_pass(job, caster_, pool_, pixels));
   slot.stats.pixels_suspect = repair.suspects;
   slot.stats.pixels_repaired = repair.repaired;
   slot.stats.repair_ms = slot.repair_ms;

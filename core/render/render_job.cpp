@@ -2,6 +2,7 @@
 
 #include "core/render/cpu_renderer.h"
 #include "core/render/gl_renderer.h"
+#include "core/render/samples.h"
 
 namespace hybridrt {
 FrameRequest frame_request(const RenderJob& job, int frame) {
@@ -10,17 +11,19 @@ FrameRequest frame_request(const RenderJob& job, int frame) {
 }
 
 RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& starting,
-             const std::function<bool()>& stop, const DeliverFrame& deliver) {
+             const std::function<bool()>& stop, const DeliverFrame& deliver_frame) {
   const Stopwatch preparing;
   RunFacts facts;
   ThreadPool pool(job.threads);
   FrameCursor cursor(job.frames);
-  const NextFrame next = [&]() -> std::optional<FrameRequest> {
+  const auto next_frame = [&]() -> std::optional<FrameRequest> {
     if (stop()) return std::nullopt;
     const std::optional<int> number = cursor.next();
     if (!number) return std::nullopt;
     return frame_request(job, *number);
   };
+  const NextFrame next = sampled(next_frame, job.settings.samples);
+  const DeliverFrame deliver = averaged(deliver_frame, job.settings.samples);
   const auto ready = [&] {
     facts.ready_ms = preparing.elapsed_ms();
     starting(facts);

@@ -48,6 +48,7 @@ struct RenderSettings {
   int blur_kernel_px = 5;    ///< odd, 1..31
   int shadow_map_px = 2048;
   int reflection_depth = 4;  ///< generations after the primary one
+  int samples = 1;           ///< a pixel, averaged
   int frames_in_flight = 2;
   uint32_t aovs = 0;         ///< Aov bits
   vec3 ambient{0.15f};       ///< light from everywhere, times Kd; linear

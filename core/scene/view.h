@@ -14,14 +14,18 @@ struct View {
   dvec3 eye{0};
   dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  ///< orthonormal
   double tan_half_width = 1, tan_half_height = 1;        ///< of the frame's edges, from its middle
+  dvec2 sample_px{0};                                    ///< where in the pixel it is looked at, from the centre
 
-  /// Direction through the centre of pixel (x, y) of the picture, row 0 on top; its component along `forward`
+  /// Direction through the sample (by default the centre) of pixel (x, y) of the picture, row 0 on top; its component along `forward`
   /// is 1. Bit by bit the same for a part of a frame as for the whole.
   dvec3 pixel_dir(int x, int y) const {
     return ray_first() + static_cast<double>(x_px + x) * ray_step_x() + static_cast<double>(y_px + y) * ray_step_y();
   }
   /// Through the frame's first pixel, and from one to the next.
-  dvec3 ray_first() const { return forward - tan_half_width * right + tan_half_height * up + 0.5 * (ray_step_x() + ray_step_y()); }
+  dvec3 ray_first() const {
+    return forward - tan_half_width * right + tan_half_height * up + (0.5 + sample_px.x) * ray_step_x() +
+           (0.5 + sample_px.y) * ray_step_y();
+  }
   dvec3 ray_step_x() const { return 2 * tan_half_width / frame_width_px * right; }
   dvec3 ray_step_y() const { return -2 * tan_half_height / frame_height_px * up; }
 };

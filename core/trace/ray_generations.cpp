@@ -34,6 +34,7 @@ void TraceStats::add(const TraceStats& other) {
   refraction_rays += other.refraction_rays;
   pixels_suspect += other.pixels_suspect;
   pixels_repaired += other.pixels_repaired;
+  repair_ms += other.repair_ms;
   shadow_cpu_ms += other.shadow_cpu_ms;
   secondary_cpu_ms += other.secondary_cpu_ms;
 }

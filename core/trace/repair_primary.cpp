@@ -99,6 +99,10 @@ class Suspicion {
   explicit Suspicion(const View& view)
       : pixel_(static_cast<float>(2 * view.tan_half_height / view.frame_height_px)), near_edge_(pixel_ / 256 + 4e-7f) {}
 
+  bool may_be_hit(const SeenTriangle& triangle, const vec3& dir) const {
+    return triangle.edge_on || triangle.depth_inside(dir) > -near_edge_;
+  }
+
   bool falls_on(const Neighbourhood& seen, int x, int y) const {
     const SeenPixel& own = seen.at(x, y);
     bool alike = true;
@@ -114,7 +118,7 @@ class Suspicion {
         const SeenPixel& other = seen.at(x + dx, y + dy);
         if (other.triangle.id == own.triangle.id) continue;
         if (!hit || other.triangle.id == kNoTriangle || is_step(own, other)) return true;  // a silhouette
-        if (other.triangle.edge_on || other.triangle.depth_inside(dir) > -near_edge_) return true;
+        if (may_be_hit(other.triangle, dir)) return true;
       }
     return false;
   }
@@ -148,9 +152,13 @@ class Settlement {
     return true;
   }
 
-  void offer_neighbours(const Neighbourhood& seen, int x, int y) {
+  void offer_neighbours(const Neighbourhood& seen, int x, int y, const Suspicion& suspicion) {
+    const vec3 dir(ray_.dir);
     for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) offer(seen.at(x + dx, y + dy).triangle.id);
+      for (int dx = -1; dx <= 1; ++dx) {
+        const SeenTriangle& triangle = seen.at(x + dx, y + dy).triangle;
+        if (triangle.id != kNoTriangle && suspicion.may_be_hit(triangle, dir)) offer(triangle.id);
+      }
   }
 
   /// Near an edge single precision may find the wrong side of it: rays around this one find the other.
@@ -203,7 +211,7 @@ RepairStats repair_primary_hits(const Scene& scene, const View& view, const RayC
       for (size_t i = 0; i < suspects.size(); ++i) {
         uint32_t& id = repaired[row * view.width_px + suspects[i]];
         Settlement settlement(scene, seen.at(suspects[i], y), view.eye);
-        settlement.offer_neighbours(seen, suspects[i], y);
+        settlement.offer_neighbours(seen, suspects[i], y, suspicion);
         if (hits[i].found() && !settlement.offer(hits[i].triangle)) settlement.offer_around(caster, view);
         stats.repaired += settlement.triangle() != id;
         id = settlement.triangle();

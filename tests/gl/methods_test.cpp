@@ -180,6 +180,28 @@ TEST_F(Methods, WithoutShadowsNothingIsDarker) {
   EXPECT_GT(darker, 1000u) << "there is no shadow in the picture";
 }
 
+// More samples come nearer to the truth, and by the same way in every method.
+TEST_F(Methods, SamplesConverge) {
+  RenderJob job = orbit_job(kScene, 1, 160, 120);
+  const auto with_samples = [&](Method method, int samples) {
+    job.settings.samples = samples;
+    return render_with(job, method, method == Method::hybrid ? ShadowMode::exact : ShadowMode::rays);
+  };
+  const auto truth = with_samples(Method::reference, 64);
+  const auto error = [&](const std::vector<Frame>& frames) {
+    double sum = 0;
+    for (size_t i = 0; i < truth[0].picture.data.size(); ++i)
+      sum += std::abs(double(frames[0].picture.data[i]) - truth[0].picture.data[i]);
+    return sum / static_cast<double>(truth[0].picture.data.size());
+  };
+  const double one = error(with_samples(Method::hybrid, 1)), four = error(with_samples(Method::hybrid, 4)),
+               sixteen = error(with_samples(Method::hybrid, 16));
+  EXPECT_LT(four, 0.75 * one);
+  EXPECT_LT(sixteen, 0.75 * four);
+  EXPECT_LT(error(with_samples(Method::hybrid, 64)), 0.05 * one) << "the same pattern";
+  EXPECT_LT(error(with_samples(Method::raytrace, 64)), 0.05 * one);
+}
+
 TEST_F(Methods, DepthZeroFiresNoSecondaryRays) {
   RenderJob job = orbit_job(kScene, 1);
   for (Method method : {Method::hybrid, Method::raytrace, Method::reference}) {

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+"""What shadow modes cost and what they get wrong; writes docs/results/shadows.md.
+
+  scripts/shadow_results.py [--lights 12] [--triangles 500000] [--build build/release] [-o docs/results/shadows.md] [SCENE ...]
+
+Each mode renders two frames from the same place under each light; times are of the second, when what stands still is
+kept. Wrong pixels are those whose shadow differs from `--method reference`, where both see the same triangle.
+"""
+import argparse
+import csv
+import math
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+MODES = [("map", ["--shadows", "map"])] + \
+        [(f"blur {k}×{k}", ["--shadows", "blur", "--blur-kernel", str(k)]) for k in (3, 5, 9, 15)] + \
+        [("exact", ["--shadows", "exact"]), ("rays", ["--shadows", "rays"])]
+
+
+def directions(count):
+    """From the zenith down to 0.5 degrees above the horizon, all around."""
+    for i in range(count):
+        elevation = math.radians(89.5 - 89 * i / max(count - 1, 1))
+        azimuth = i * math.pi * (3 - math.sqrt(5))
+        yield (math.cos(elevation) * math.sin(azimuth), math.sin(elevation), math.cos(elevation) * math.cos(azimuth))
+
+
+def pixels(path):
+    """The bytes of a binary PPM."""
+    data = path.read_bytes()
+    _, _, _, rest = data.split(b"\n", 3)
+    return rest
+
+
+class Runner:
+    def __init__(self, binary, folder):
+        self.binary, self.folder = binary, Path(folder)
+
+    def render(self, name, scene, light, options):
+        """The timings of the second frame, and its shadows and ids."""
+        out = self.folder / name
+        command = [self.binary, "render", scene, "-q", "--frames", "2", "--frames-in-flight", "1", "--aov", "shadow,id",
+                   "--light", ",".join(f"{x:.6f}" for x in light), "-o", out / "p.#.ppm", *options]
+        subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+        with open(out / "timings.csv", newline="", encoding="ascii") as file:
+            row = {key: float(value) for key, value in list(csv.DictReader(file))[-1].items()}
+        return row, pixels(out / "p.shadow.2.ppm")[::3], pixels(out / "p.id.2.ppm")
+
+
+def wrong_pixels(shadow, ids, true_shadow, true_ids):
+    """(lit but should be dark, dark but should be lit, other triangle)"""
+    false_lit = false_shadow = other = 0
+    if shadow == true_shadow and ids == true_ids:
+        return 0, 0, 0
+    for i, (mine, truth) in enumerate(zip(shadow, true_shadow)):
+        if ids[3 * i:3 * i + 3] != true_ids[3 * i:3 * i + 3]:
+            other += 1
+        elif mine != truth:
+            false_lit += mine > truth
+            false_shadow += mine < truth
+    return false_lit, false_shadow, other
+
+
+def measure(runner, scene, lights, threads):
+    """{mode: [(ms, traced share, false lit, false shadow, other triangle) of each light]}"""
+    results = {mode: [] for mode, _ in MODES}
+    for light in lights:
+        _, true_shadow, true_ids = runner.render("truth", scene, light, ["--method", "reference"])
+        for mode, options in MODES:
+            row, shadow, ids = runner.render("mode", scene, light, ["--threads", str(threads), *options])
+            ms = row["shadow_map_ms"] + row["mark_ms"] + row["shadow_cpu_ms"] / threads
+            traced = row["primary_shadow_rays"] / max(row["pixels_hit"], 1)
+            results[mode].append((ms, traced, *wrong_pixels(shadow, ids, true_shadow, true_ids), row["repair_ms"]))
+        print(".", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+    return results
+
+
+def table(results):
+    lines = ["| `--shadows` | ms: median (worst) | traced: median (worst) | false lit, all lights | false shadow | "
+             "other triangle a frame | repair, ms |", "|---|---|---|---|---|---|---|"]
+    for mode, rows in results.items():
+        ms, traced, lit, shadow, other, repair = zip(*rows)
+        lines.append(f"| {mode} | {statistics.median(ms):.1f} ({max(ms):.1f}) | {100 * statistics.median(traced):.1f} % "
+                     f"({100 * max(traced):.1f} %) | {sum(lit)} | {sum(shadow)} | {statistics.median(other):.0f} | "
+                     f"{statistics.median(repair):.0f} |")
+    return lines
+
+
+def text_before_tables(path):
+    """What people wrote stays: everything up to the mark."""
+    mark = "<!-- tables -->"
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    return (text.split(mark)[0] if mark in text else "") + mark + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--lights", type=int, default=12)
+    parser.add_argument("--triangles", type=int, default=500000)
+    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)))
+    parser.add_argument("--build", type=Path, default=Path("build/release"))
+    parser.add_argument("-o", "--output", type=Path, default=Path("docs/results/shadows.md"))
+    parser.add_argument("scenes", nargs="*", help="default: chess, thin and spheres")
+    args = parser.parse_args()
+    scenes = args.scenes or [f"scene:{name},triangles={args.triangles}" for name in ("chess", "thin", "spheres")]
+    lines = [text_before_tables(args.output)]
+    names = " ".join(Path(scene).name if os.path.exists(scene) else scene for scene in args.scenes)
+    lines += [f"`scripts/shadow_results.py --lights {args.lights} --triangles {args.triangles} {names}`, "
+              f"{platform.processor() or platform.machine()}, {args.threads} threads.", ""]
+    with tempfile.TemporaryDirectory() as folder:
+        runner = Runner((args.build / "bin/hybridrt").resolve(), folder)
+        for scene in scenes:
+            print(scene, end=" ", file=sys.stderr, flush=True)
+            results = measure(runner, scene, list(directions(args.lights)), args.threads)
+            lines += [f"## {Path(scene).name if os.path.exists(scene) else scene}", "", *table(results), ""]
+    args.output.write_text("\n".join(lines), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
