@@ -24,15 +24,12 @@ for shadows in map blur; do
     --shadows "$shadows" -o "$out/shadows_$shadows.png"
 done
 
-<<<<<<< HEAD
-=======
 # Glass and a polished board by generations of rays: none, one (the paper's figures), the default.
 for depth in 0 1 4; do
   render scene:chess,triangles=600000 --size 1200x900 --crop 560,250,400,300 --reflection-depth "$depth" \
     -o "$out/depth_$depth.png"
 done
 
->>>>>>> h-phys
 # Thin casters: the paper's blur and what it gets wrong, the exact shadows, and what was traced for them.
 thin=(scene:thin --size 1024x768 --crop 300,330,420,320)
 render "${thin[@]}" --shadows blur -o "$out/triptych_blur.png" --aov shadow
@@ -41,15 +38,6 @@ render "${thin[@]}" --shadows exact -o "$out/triptych_exact.png" --aov marked
 "$hybridrt" compare "$out/triptych_blur.shadow.png" "$out/triptych_truth.shadow.png" --diff "$out/triptych_errors.png" >/dev/null ||
   [ $? = 6 ] # they differ, which is what is shown
 rm "$out"/triptych_blur*.png "$out"/triptych_truth*.png
-<<<<<<< HEAD
-
-# Glass and a polished board by generations of rays: none, one (the paper's figures), the default.
-for depth in 0 1 4; do
-  render scene:chess,triangles=600000 --size 1200x900 --crop 560,250,400,300 --reflection-depth "$depth" \
-    -o "$out/depth_$depth.png"
-done
-=======
->>>>>>> h-phys
 
 # The paper's measuring scene.
 render scene:spheres,triangles=500000,reflective=10 --size 800x600 --samples 16 -o "$out/spheres.png"
