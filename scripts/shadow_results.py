@@ -73,7 +73,8 @@ def measure(runner, scene, lights, threads):
         _, true_shadow, true_ids = runner.render("truth", scene, light, ["--method", "reference"])
         for mode, options in MODES:
             row, shadow, ids = runner.render("mode", scene, light, ["--threads", str(threads), *options])
-            ms = row["shadow_map_ms"] + row["mark_ms"] + row["shadow_cpu_ms"] / threads
+            tracing = row["trace_ms"] - row["repair_ms"] - row["secondary_cpu_ms"] / threads
+            ms = row["shadow_map_ms"] + row["mark_ms"] + tracing
             traced = row["primary_shadow_rays"] / max(row["pixels_hit"], 1)
             results[mode].append((ms, traced, *wrong_pixels(shadow, ids, true_shadow, true_ids), row["repair_ms"]))
         print(".", end="", file=sys.stderr, flush=True)

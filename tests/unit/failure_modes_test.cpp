@@ -100,7 +100,9 @@ TEST(FailureModes, NeedlesAtGrazingAngles) {
     reference->closest_hits({&ray, 1}, {&truth, 1});
     if (truth.found() && std::abs(truth.t - 0.5) < 1e-4) ++found_in_double;
     for (const Hit<float>& hit : {kd[i], embree[i]}) EXPECT_TRUE(!hit.found() || (hit.t >= 0 && std::isfinite(hit.t))) << i;
-    if (i % 10 == 0) EXPECT_EQ(kd[i].triangle, brute_force_hit(scene, rays[i]).triangle) << i;
+    if (i % 10 == 0) {
+      EXPECT_EQ(kd[i].triangle, brute_force_hit(scene, rays[i]).triangle) << i;
+    }
   }
   // The rays themselves are rounded to about a tenth of a needle's width.
   EXPECT_GT(found_in_double, static_cast<int>(rays.size() / 2));
