@@ -16,10 +16,15 @@ enum class ErrorKind {
   output,  ///< a file could not be written
 };
 
-/// The world is wrong: the message says what, where (file, line or element), and what to do, in one line.
+/// `text` with its control characters written as escapes: names that come from files may hold anything.
+std::string in_one_line(const std::string& text);
+
+/// The world is wrong: the message says what, where (file, line or element), and what to do, in one line. Only a
+/// device's own log may have more.
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+  Error(ErrorKind kind, const std::string& message)
+      : std::runtime_error(kind == ErrorKind::device ? message : in_one_line(message)), kind_(kind) {}
   ErrorKind kind() const { return kind_; }
 
  private:
