@@ -30,7 +30,7 @@ struct Hasher {
       word(w);
     }
     uint64_t rest = 0;
-    std::memcpy(&rest, bytes, size);
+    if (size > 0) std::memcpy(&rest, bytes, size);  // an empty array has no address
     word(rest);
   }
 
