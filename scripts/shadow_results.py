@@ -17,6 +17,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from results_file import text_before_tables
+
 MODES = [("map", ["--shadows", "map"])] + \
         [(f"blur {k}×{k}", ["--shadows", "blur", "--blur-kernel", str(k)]) for k in (3, 5, 9, 15)] + \
         [("exact", ["--shadows", "exact"]), ("rays", ["--shadows", "rays"])]
@@ -91,13 +93,6 @@ def table(results):
                      f"({100 * max(traced):.1f} %) | {sum(lit)} | {sum(shadow)} | {statistics.median(other):.0f} | "
                      f"{statistics.median(repair):.0f} |")
     return lines
-
-
-def text_before_tables(path):
-    """What people wrote stays: everything up to the mark."""
-    mark = "<!-- tables -->"
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    return (text.split(mark)[0] if mark in text else "") + mark + "\n"
 
 
 def main():

@@ -14,6 +14,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from results_file import text_before_tables
+
 TRIANGLES = 500000
 SETS = ["primary", "shadow_all", "shadow_marked", "reflected_flat", "reflected_curved", "refracted"]
 BACKENDS = ["embree", "embree_packets", "kd_scalar", "kd_simd", "light_buffer"]
@@ -92,13 +94,6 @@ def section(about, results):
         lines.append(f"| {label} | {median(results, f'frame/{name}', 'real_time'):.0f} "
                      f"({spread(results, f'frame/{name}', 'real_time')}) |")
     return lines + [""]
-
-
-def text_before_tables(path):
-    """What people wrote stays: everything up to the mark."""
-    mark = "<!-- tables -->"
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    return (text.split(mark)[0] if mark in text else "") + mark + "\n"
 
 
 def main():
