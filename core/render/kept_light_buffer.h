@@ -20,9 +20,9 @@ class KeptLightBuffer {
     build_ms = 0;
     if (buffer_ && buffer_->toward == toward) return *buffer_;
     const Stopwatch building;
-    if (!sides_) sides_ = triangle_sides(build_topology(scene_, pool_), scene_.textures.get());
+    if (!sheets_) sheets_ = make_sheets(scene_, build_topology(scene_, pool_), pool_);
     buffer_.reset();  // before its successor needs the memory
-    buffer_ = build_light_buffer(scene_, *sides_, toward, pool_);
+    buffer_ = build_light_buffer(scene_, *sheets_, toward, pool_);
     build_ms = building.elapsed_ms();
     return *buffer_;
   }
@@ -30,7 +30,7 @@ class KeptLightBuffer {
  private:
   const Scene& scene_;
   ThreadPool& pool_;
-  std::optional<std::vector<int8_t>> sides_;
+  std::optional<Sheets> sheets_;
   std::optional<LightBuffer> buffer_;
 };
 

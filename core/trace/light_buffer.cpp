@@ -69,7 +69,8 @@ class Lookup {
     if (!place.cell) return ShadowCertainty::lit;
     if (query.anywhere || starts_inside(query)) return ShadowCertainty::inside;
     if (place.depth < place.cell->nearest) return ShadowCertainty::lit;
-    return place.depth > place.cell->cover ? ShadowCertainty::shadow : ShadowCertainty::unsettled;
+    if (place.depth > place.cell->cover) return ShadowCertainty::shadow;
+    return place.cell->single && is_open(query) ? ShadowCertainty::lit : ShadowCertainty::unsettled;
   }
 
   Place place_of(const dvec3& origin) const {
@@ -125,6 +126,11 @@ class Lookup {
     if (query.triangle == kNoTriangle) return false;
     const int8_t side = buffer_.sides[query.triangle];
     return query.from_front ? side < 0 : side > 0;
+  }
+
+  /// It leaves a triangle that belongs to no closed body, so that the triangle is among the cell's.
+  bool is_open(const ShadowQuery& query) const {
+    return query.triangle != kNoTriangle && buffer_.sides[query.triangle] == 0;
   }
 
   bool meets(const ShadowQuery& query, uint32_t triangle) const {

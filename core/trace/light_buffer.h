@@ -9,7 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/base/uninitialized.h"
 #include "core/scene/scene.h"
-#include "core/scene/topology.h"
+#include "core/trace/sheets.h"
 
 namespace hybridrt {
 
@@ -41,15 +41,16 @@ static_assert(sizeof(LightEntry) == 64);
 struct LightCell {
   uint32_t first;        ///< of its entries; they end where the next cell's begin
   float nearest;         ///< of the first entry; infinite where there is none
-  float cover;           ///< what lies deeper is in shadow: one triangle covers all of the cell
-  uint32_t first_other;  ///< of its triangles in `others`
+  float cover;           ///< what lies deeper is in shadow: a triangle, or a sheet that ends nowhere in it, covers the cell
+  uint32_t first_other : 31;  ///< of its triangles in `others`
+  uint32_t single : 1;        ///< what lies over the cell as far as `cover` is one sheet that covers it once
 };
 
-/// What a light sees of a scene; only data, see build_light_buffer. Refers to scene and sides, which must
+/// What a light sees of a scene; only data, see build_light_buffer. Refers to scene and sheets, which must
 /// outlive it.
 struct LightBuffer {
   const Scene* scene = nullptr;
-  std::span<const int8_t> sides;  ///< of each triangle, see triangle_sides
+  std::span<const int8_t> sides;  ///< of each triangle, see Sheets
   dvec3 toward{0, 1, 0};      ///< unit, to the light
   dvec3 x_axis{1, 0, 0}, y_axis{0, 0, 1};
   dvec3 center{0};  ///< scene space; taken off first, so that digits last far from the origin
@@ -65,13 +66,8 @@ struct LightBuffer {
       others;  ///< over each cell: those that face the light, and those deeper than its cover
 };
 
-/// Of each triangle: 1 if it belongs to a closed body wound outward, -1 if to one wound inward, else 0. A body of which a
-/// triangle has holes is not closed.
-std::vector<int8_t> triangle_sides(const Topology& topology, const Textures* textures = nullptr);
-
-/// `toward` unit, `sides` from triangle_sides. The same buffer for any number of threads.
-LightBuffer build_light_buffer(const Scene& scene, std::span<const int8_t> sides, const dvec3& toward,
-                               ThreadPool& pool);
+/// `toward` unit. The same buffer for any number of threads.
+LightBuffer build_light_buffer(const Scene& scene, const Sheets& sheets, const dvec3& toward, ThreadPool& pool);
 
 /// A shadow ray toward the light. `origin` lies in scene space, off its surface by an offset, on the side
 /// that the ray leaves by; `triangle` is the one that it leaves (or kNoTriangle), which faces the light

@@ -11,41 +11,43 @@ namespace {
 
 constexpr size_t kTrianglesAChunk = 4096;
 constexpr int kRowsAChunk = 4;
-// A cell lists 8 bytes a triangle over it while the buffer is built, and up to 64 then. Ordinary scenes make about
+// A cell lists 12 bytes a triangle over it while the buffer is built, and up to 64 then. Ordinary scenes make about
 // three of these a triangle.
 constexpr uint64_t kMostReferences = 1 << 20, kMostReferencesATriangle = 16;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr uint32_t kLastTriangle = (1u << 28) - 1;
 constexpr float kUndecided = std::numeric_limits<float>::max();  // as a depth error: single precision never decides
 
-enum class Part : uint8_t {
+enum class Facing : uint8_t {
   nothing,  ///< zero area
-  entries,
-  others,
+  toward,   ///< the light sees its outer side; where it has none, its counterclockwise side
+  away,
+  unsure,  ///< rounding might decide
 };
 
-/// Which way a triangle faces decides, unless rounding might; then it counts as facing away.
-Part part_of(const Scene& scene, uint32_t triangle, int8_t side, const dvec3& toward) {
+Facing facing_of(const Scene& scene, uint32_t triangle, int8_t side, const dvec3& toward) {
   const vec3 a = scene.vertex(triangle, 0), b = scene.vertex(triangle, 1), c = scene.vertex(triangle, 2);
-  if (is_degenerate(a, b, c)) return Part::nothing;
-  if (side == 0) return Part::entries;
+  if (is_degenerate(a, b, c)) return Facing::nothing;
   const dvec3 e1 = dvec3(b) - dvec3(a), e2 = dvec3(c) - dvec3(a);
-  const double facing = side * glm::dot(glm::cross(e1, e2), toward);
+  const double facing = (side < 0 ? -1 : 1) * glm::dot(glm::cross(e1, e2), toward);
   const double rounding = 0x1p-46 * glm::length(e1) * glm::length(e2);
-  return facing > rounding ? Part::others : Part::entries;
+  if (std::abs(facing) <= rounding) return Facing::unsure;
+  return facing > 0 ? Facing::toward : Facing::away;
 }
 
 class Builder {
  public:
-  Builder(LightBuffer& buffer, ThreadPool& pool)
+  Builder(LightBuffer& buffer, const Sheets& sheets, ThreadPool& pool)
       : buffer_(buffer),
         scene_(*buffer.scene),
+        sheets_(sheets),
         pool_(pool),
         positions_light_(scene_.positions.size()),
-        parts_(scene_.triangle_count()) {}
+        facings_(scene_.triangle_count()) {}
 
   void run() {
     transform_positions();
-    sort_into_parts();
+    find_facings();
     for (double side = finest_cells(); set_grid(side), !count(); side *= 2) {
     }
     fill();
@@ -55,8 +57,12 @@ class Builder {
  private:
   /// A triangle over a cell, before it becomes an entry.
   struct Reference {
-    float nearest;
-    uint32_t triangle;
+    float nearest, farthest;
+    uint32_t triangle : 28;
+    uint32_t touches : 1;   ///< the cell, certainly
+    uint32_t ends : 1;      ///< its sheet may end in the cell
+    uint32_t centered : 1;  ///< the cell's centre lies in it
+    uint32_t unsure : 1;    ///< or may do so
     bool operator<(const Reference& other) const {
       return nearest != other.nearest ? nearest < other.nearest : triangle < other.triangle;
     }
@@ -66,12 +72,12 @@ class Builder {
 
   template <typename Body>
   void for_each_chunk(const Body& body) {
-    parallel_for(pool_, parts_.size(), kTrianglesAChunk, body);
+    parallel_for(pool_, facings_.size(), kTrianglesAChunk, body);
   }
   template <typename Body>
   void for_each_triangle(size_t begin, size_t end, const Body& body) const {
     for (size_t i = begin; i < end; ++i)
-      if (parts_[i] != Part::nothing) body(static_cast<uint32_t>(i), grid_triangle(static_cast<uint32_t>(i)));
+      if (facings_[i] != Facing::nothing) body(static_cast<uint32_t>(i), grid_triangle(static_cast<uint32_t>(i)));
   }
 
   GridTriangle grid_triangle(uint32_t triangle) const {
@@ -79,6 +85,22 @@ class Builder {
     return {grid_from_light(buffer_, positions_light_[corners.x]),
             grid_from_light(buffer_, positions_light_[corners.y]),
             grid_from_light(buffer_, positions_light_[corners.z])};
+  }
+
+  /// The half of closed bodies that rays toward the light leave by makes none.
+  bool makes_entries(uint32_t triangle) const {
+    return sheets_.sides[triangle] == 0 || facings_[triangle] != Facing::toward;
+  }
+
+  /// Bit k: the light may see an end of the triangle's sheet at its side k, a silhouette.
+  unsigned ends_of_sheet(uint32_t triangle) const {
+    unsigned ends = 0;
+    for (int k = 0; k < 3; ++k) {
+      const uint32_t next = sheets_.across[triangle][k];
+      const bool goes_on = next != kNoTriangle && facings_[next] == facings_[triangle] && facings_[next] != Facing::unsure;
+      ends |= static_cast<unsigned>(!goes_on) << k;
+    }
+    return ends;
   }
 
   bool has_holes(uint32_t triangle) const {
@@ -92,18 +114,18 @@ class Builder {
     });
   }
 
-  void sort_into_parts() {
-    const size_t chunks = (parts_.size() + kTrianglesAChunk - 1) / kTrianglesAChunk;
+  void find_facings() {
+    const size_t chunks = (facings_.size() + kTrianglesAChunk - 1) / kTrianglesAChunk;
     std::vector<std::pair<dvec3, dvec3>> bounds(chunks, {dvec3(1e300), dvec3(-1e300)});
     std::atomic<size_t> kept = 0;
-    parallel_for(pool_, parts_.size(), kTrianglesAChunk, [&](size_t begin, size_t end) {
+    parallel_for(pool_, facings_.size(), kTrianglesAChunk, [&](size_t begin, size_t end) {
       auto& [lo, hi] = bounds[begin / kTrianglesAChunk];
       size_t kept_here = 0;
       for (size_t i = begin; i < end; ++i) {
         const auto triangle = static_cast<uint32_t>(i);
-        parts_[i] = part_of(scene_, triangle, buffer_.sides[i], buffer_.toward);
-        if (parts_[i] == Part::nothing) continue;
-        kept_here += parts_[i] == Part::entries;
+        facings_[i] = facing_of(scene_, triangle, sheets_.sides[i], buffer_.toward);
+        if (facings_[i] == Facing::nothing) continue;
+        kept_here += makes_entries(triangle);
         for (int corner = 0; corner < 3; ++corner) {
           const dvec3& p = positions_light_[scene_.triangle_positions[i][corner]];
           lo = glm::min(lo, p), hi = glm::max(hi, p);
@@ -138,7 +160,7 @@ class Builder {
   /// Where each cell's references begin; false if they are too many, as where thousands of triangles each lie
   /// over most of the scene.
   bool count() {
-    const uint64_t most = kMostReferences + kMostReferencesATriangle * parts_.size();
+    const uint64_t most = kMostReferences + kMostReferencesATriangle * facings_.size();
     std::atomic<uint64_t> total = 0;
     first_.assign(buffer_.cells.size(), 0);
     first_other_.assign(buffer_.cells.size(), 0);
@@ -147,7 +169,7 @@ class Builder {
       const uint64_t before = counted;
       for_each_triangle(begin, end, [&](uint32_t triangle, const GridTriangle& shape) {
         if (counted > most) return;
-        std::vector<uint32_t>& numbers = parts_[triangle] == Part::entries ? first_ : first_other_;
+        std::vector<uint32_t>& numbers = makes_entries(triangle) ? first_ : first_other_;
         for_each_cell(shape, buffer_.cells_x, buffer_.cells_y, [&](int x, int y) {
           std::atomic_ref(numbers[index_of(x, y)]).fetch_add(1, std::memory_order_relaxed);
           ++counted;
@@ -173,7 +195,9 @@ class Builder {
     std::vector<uint32_t> next = first_, next_other = first_other_;
     for_each_chunk([&](size_t begin, size_t end) {
       for_each_triangle(begin, end, [&](uint32_t triangle, const GridTriangle& shape) {
-        const bool is_other = parts_[triangle] == Part::others;
+        const bool is_other = !makes_entries(triangle);
+        const bool holes = has_holes(triangle);
+        const unsigned ends = ends_of_sheet(triangle);
         for_each_cell(shape, buffer_.cells_x, buffer_.cells_y, [&](int x, int y) {
           const size_t cell = index_of(x, y);
           const uint32_t place =
@@ -183,8 +207,10 @@ class Builder {
             return;
           }
           const CellView view(shape, x, y);
-          references_[place] = {view.nearest(), triangle};
-          if (view.covers() && !has_holes(triangle)) lower(buffer_.cells[cell].cover, view.farthest());
+          const std::optional<bool> centered = view.centered();
+          references_[place] = {view.nearest(), view.farthest(), triangle, view.surely_touched(),
+                                holes || view.crossed_by_sides(ends), centered.value_or(false), !centered};
+          if (view.covers() && !holes) lower(buffer_.cells[cell].cover, view.farthest());
         });
       });
     });
@@ -195,6 +221,33 @@ class Builder {
     float seen = shared.load(std::memory_order_relaxed);
     while (candidate < seen && !shared.compare_exchange_weak(seen, candidate, std::memory_order_relaxed)) {
     }
+  }
+
+  struct SheetCover {
+    float farthest = kInfinity;  ///< what lies deeper is in shadow
+    bool single = false;         ///< nothing is nearer, and it covers the cell once
+  };
+
+  /// Triangles whose depths overlap, one after the other, are a sheet or several. One that has a point in the cell and
+  /// ends nowhere in it covers it all, however small its triangles are; and how many cover a point is the same for all
+  /// points of the cell, its centre among them.
+  static SheetCover cover_by_sheets(std::span<const Reference> nearest_first) {
+    bool touches = false, ends = false, unsure = false, is_nearest = true;
+    int at_center = 0;
+    float farthest = -kInfinity;
+    const auto covers = [&] { return touches && !ends; };
+    const auto cover = [&] { return SheetCover{farthest, is_nearest && !unsure && at_center == 1}; };
+    for (const Reference& next : nearest_first) {
+      if (next.nearest > farthest && farthest > -kInfinity) {
+        if (covers()) return cover();
+        touches = ends = unsure = is_nearest = false;
+        at_center = 0;
+      }
+      touches |= next.touches, ends |= next.ends, unsure |= next.unsure;
+      at_center += next.centered;
+      farthest = std::max(farthest, next.farthest);
+    }
+    return covers() ? cover() : SheetCover{};
   }
 
   template <typename Body>
@@ -211,8 +264,11 @@ class Builder {
     for_each_cell_of_grid([&](size_t cell) {
       const auto first = references_.begin() + first_[cell], last = references_.begin() + first_[cell + 1];
       std::sort(first, last);
+      const SheetCover sheet = cover_by_sheets({first, last});
+      buffer_.cells[cell].single = sheet.single;
+      buffer_.cells[cell].cover = std::min(buffer_.cells[cell].cover, sheet.farthest);
       std::sort(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1]);
-      const Reference at_cover{buffer_.cells[cell].cover, kNoTriangle};
+      const Reference at_cover{buffer_.cells[cell].cover, 0, kLastTriangle, 0, 0, 0, 0};
       first_entry[cell] = static_cast<uint32_t>(std::upper_bound(first, last, at_cover) - first);
       first_other[cell] = first_other_[cell + 1] - first_other_[cell] + static_cast<uint32_t>(last - first) -
                           first_entry[cell];
@@ -242,9 +298,10 @@ class Builder {
 
   LightBuffer& buffer_;
   const Scene& scene_;
+  const Sheets& sheets_;
   ThreadPool& pool_;
   UninitializedVector<dvec3> positions_light_;
-  std::vector<Part> parts_;
+  std::vector<Facing> facings_;
   std::vector<uint32_t> first_, first_other_;  ///< of each cell, in the arrays below
   UninitializedVector<Reference> references_;
   UninitializedVector<uint32_t> others_;
@@ -254,34 +311,18 @@ class Builder {
 
 }  // namespace
 
-std::vector<int8_t> triangle_sides(const Topology& topology, const Textures* textures) {
-  std::vector<bool> open(topology.components.size());
-  for (size_t i = 0; i < open.size(); ++i) open[i] = !topology.components[i].closed();
-  if (textures && textures->any_holes)
-    for (size_t i = 0; i < textures->triangle_maps.size(); ++i)
-      if (textures->has_holes(textures->triangle_maps[i])) open[topology.component_of_triangle[i]] = true;
-
-  std::vector<int8_t> sides(topology.component_of_triangle.size());
-  for (size_t i = 0; i < sides.size(); ++i) {
-    const Component& component = topology.component_of(static_cast<uint32_t>(i));
-    if (!open[topology.component_of_triangle[i]])
-      sides[i] = component.winding == Winding::outward ? 1 : component.winding == Winding::inward ? -1 : 0;
-  }
-  return sides;
-}
-
-LightBuffer build_light_buffer(const Scene& scene, std::span<const int8_t> sides, const dvec3& toward,
-                               ThreadPool& pool) {
-  HRT_CHECK_EQ(sides.size(), scene.triangle_count());
+LightBuffer build_light_buffer(const Scene& scene, const Sheets& sheets, const dvec3& toward, ThreadPool& pool) {
+  HRT_CHECK_EQ(sheets.sides.size(), scene.triangle_count());
+  HRT_CHECK(scene.triangle_count() <= kLastTriangle);
   LightBuffer buffer;
   buffer.scene = &scene;
-  buffer.sides = sides;
+  buffer.sides = sheets.sides;
   buffer.toward = toward;
   const dvec3 other = std::abs(toward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
   buffer.x_axis = glm::normalize(glm::cross(other, toward));
   buffer.y_axis = glm::cross(toward, buffer.x_axis);
   buffer.center = dvec3(scene.bounds.empty() ? vec3(0) : scene.bounds.center());
-  Builder(buffer, pool).run();
+  Builder(buffer, sheets, pool).run();
   return buffer;
 }
 

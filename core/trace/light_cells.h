@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/trace/light_buffer.h"
 
@@ -14,6 +15,9 @@ namespace hybridrt {
 /// In a cell's coordinates single precision is off by less than this, with room to spare: every number is at
 /// most about 3 and there are three operations. The uncertain zone around an edge is this wide.
 inline constexpr double kCellError = 0x1p-21;
+
+/// Triangles that come as near as this to a cell count as over it.
+inline constexpr double kMargin = 2 * kCellError;
 
 /// A point of the scene in light space, relative to the buffer's centre, z away from the light.
 inline dvec3 light_from_scene(const LightBuffer& buffer, const dvec3& p) {
@@ -73,16 +77,17 @@ struct GridTriangle {
 /// The triangle over one cell.
 class CellView {
  public:
-  CellView(const GridTriangle& triangle, int i, int j) : triangle_(triangle) {
-    const double x = 2.0 * i + 1, y = 2.0 * j + 1;
+  CellView(const GridTriangle& triangle, int i, int j) : triangle_(triangle), center_(2.0 * i + 1, 2.0 * j + 1) {
+    const double x = center_.x, y = center_.y;
     for (int edge = 0; edge < 3; ++edge)
       distance_[edge] = triangle.edges[edge].a * x + triangle.edges[edge].b * y + triangle.edges[edge].c;
     lowest_ = triangle.lo.z, highest_ = triangle.hi.z;
     if (!triangle.has_plane) return;
     depth_ = triangle.slope_x * x + triangle.slope_y * y + triangle.depth;
     change_ = std::abs(triangle.slope_x) + std::abs(triangle.slope_y);
-    lowest_ = std::max(lowest_, depth_ - change_ - plane_error());
-    highest_ = std::min(highest_, depth_ + change_ + plane_error());
+    const double reach = change_ * (1 + 2 * kMargin);  // for all that for_each_cell counts as in the cell
+    lowest_ = std::max(lowest_, depth_ - reach - plane_error());
+    highest_ = std::min(highest_, depth_ + reach + plane_error());
   }
 
   /// Every point of the cell is certainly inside the edge.
@@ -90,6 +95,36 @@ class CellView {
     return distance_[edge] > triangle_.edges[edge].reach() * (1 + 2 * kCellError);
   }
   bool covers() const { return inside(0) && inside(1) && inside(2); }
+
+  /// The triangle has a point in the cell, certainly: no line separates them. False for slivers, where rounding might.
+  bool surely_touched() const {
+    if (!triangle_.has_plane) return false;
+    for (int edge = 0; edge < 3; ++edge)
+      if (!(distance_[edge] + triangle_.edges[edge].reach() * (1 - kMargin) > 0)) return false;
+    const dvec2 inner_lo = center_ - (1 - kMargin), inner_hi = center_ + (1 - kMargin);
+    return triangle_.lo.x < inner_hi.x && triangle_.hi.x > inner_lo.x && triangle_.lo.y < inner_hi.y &&
+           triangle_.hi.y > inner_lo.y;
+  }
+
+  /// Whether the centre of the cell lies in it; nothing where rounding might decide.
+  std::optional<bool> centered() const {
+    bool within = true;
+    for (int edge = 0; edge < 3; ++edge) {
+      const double rounding = kCellError * triangle_.edges[edge].reach();
+      if (distance_[edge] < -rounding) return false;
+      within &= distance_[edge] > rounding;
+    }
+    if (within && triangle_.has_plane) return true;
+    return std::nullopt;
+  }
+
+  /// One of the sides among `sides` (bits) may go through the cell.
+  bool crossed_by_sides(unsigned sides) const {
+    for (int edge = 0; edge < 3; ++edge)
+      if ((sides >> edge & 1) && std::abs(distance_[edge]) <= triangle_.edges[edge].reach() * (1 + 2 * kMargin))
+        return true;
+    return false;
+  }
 
   /// Bounds of the depth over the cell, with room for the rounding of a query's depth.
   float nearest() const { return static_cast<float>(lowest_ - kDepthRoom); }
@@ -124,6 +159,7 @@ class CellView {
   double plane_error() const { return kCellError * (1 + change_ + std::abs(depth_)); }
 
   const GridTriangle& triangle_;
+  const dvec2 center_;
   double distance_[3];
   double depth_ = 0;   ///< of the plane, at the cell's centre
   double change_ = 0;  ///< and how much it differs in the farthest corner
@@ -133,7 +169,6 @@ class CellView {
 /// Calls body(i, j) for every cell of the grid that the triangle may touch, row after row.
 template <typename Body>
 void for_each_cell(const GridTriangle& triangle, int cells_x, int cells_y, const Body& body) {
-  constexpr double kMargin = 2 * kCellError;
   constexpr int kWide = 4;
   const auto cell = [](double x, int cells) {
     return static_cast<int>(std::clamp(std::floor(0.5 * x), 0.0, cells - 1.0));

@@ -31,6 +31,7 @@ struct Options {
 
 struct Tally {
   size_t queries = 0, shadowed = 0, wrong = 0;
+  size_t settled = 0;  ///< by a certificate, without a look at triangles
   size_t own = 0;  ///< the tracer found nothing but the query's own triangle: its rounding, in a sliver
 };
 
@@ -89,7 +90,7 @@ View from_afar(View view, const Scene& scene) {
 class Proof {
  public:
   Proof(const Scene& scene, bool single, ThreadPool& pool)
-      : scene_(scene), single_(single), pool_(pool), sides_(triangle_sides(build_topology(scene, pool))),
+      : scene_(scene), single_(single), pool_(pool), sheets_(make_sheets(scene, build_topology(scene, pool), pool)),
         tree_(build_kd_tree(scene, pool)), reference_(make_reference_caster(tree_)),
         frame_caster_(make_kd_caster(tree_, LeafKernel::simd)) {}
 
@@ -98,7 +99,7 @@ class Proof {
   void ask(const View& view, Tally& tally) {
     const std::vector<uint32_t> seen = ids(view);
     for (const dvec3& toward : light_directions(scene_, view)) {
-      const LightBuffer buffer = build_light_buffer(scene_, sides_, toward, pool_);
+      const LightBuffer buffer = build_light_buffer(scene_, sheets_, toward, pool_);
       const bool enclosed = may_be_enclosed(buffer, view.eye);
       std::mutex mutex;
       parallel_for(pool_, seen.size(), static_cast<size_t>(view.width_px), [&](size_t begin, size_t end) {
@@ -111,7 +112,7 @@ class Proof {
             }
         const Tally row = compare(buffer, queries);
         std::lock_guard lock(mutex);
-        tally.queries += row.queries, tally.shadowed += row.shadowed;
+        tally.queries += row.queries, tally.shadowed += row.shadowed, tally.settled += row.settled;
         tally.wrong += row.wrong, tally.own += row.own;
       });
     }
@@ -144,6 +145,8 @@ class Proof {
   Tally compare(const LightBuffer& buffer, const std::vector<ShadowQuery>& queries) const {
     std::vector<uint8_t> occluded(queries.size()), truth(queries.size());
     shadow_answers(buffer, queries, occluded);
+    std::vector<ShadowCertainty> certainties(queries.size());
+    certify(buffer, queries, certainties);
     std::vector<Ray<double>> rays;
     for (const ShadowQuery& query : queries) rays.push_back({query.origin, buffer.toward});
     reference_->any_hits(rays, truth);
@@ -151,6 +154,7 @@ class Proof {
     tally.queries = queries.size();
     for (size_t i = 0; i < queries.size(); ++i) {
       tally.shadowed += truth[i];
+      tally.settled += certainties[i] == ShadowCertainty::lit || certainties[i] == ShadowCertainty::shadow;
       if (truth[i] == occluded[i]) continue;
       const uint32_t in_the_way = truth[i] ? other_in_the_way(queries[i], buffer.toward) : kNoTriangle;
       if (truth[i] && in_the_way == kNoTriangle) {
@@ -189,7 +193,7 @@ class Proof {
   const Scene& scene_;
   const bool single_;
   ThreadPool& pool_;
-  const std::vector<int8_t> sides_;
+  const Sheets sheets_;
   const KdTree tree_;
   const std::unique_ptr<RayCaster<double>> reference_;
   const std::unique_ptr<RayCaster<float>> frame_caster_;
@@ -212,9 +216,10 @@ Tally prove(const std::string& argument, const Options& options, ThreadPool& poo
 }
 
 void print(const char* scene, const Tally& tally) {
-  printf("%-40s %6d %10zu %8.1f%% %6zu %6zu\n", scene, kLights, tally.queries,
-         100.0 * static_cast<double>(tally.shadowed) / static_cast<double>(std::max<size_t>(tally.queries, 1)),
-         tally.wrong, tally.own);
+  const double percent = 100.0 / static_cast<double>(std::max<size_t>(tally.queries, 1));
+  printf("%-40s %6d %10zu %8.1f%% %8.1f%% %6zu %6zu\n", scene, kLights, tally.queries,
+         percent * static_cast<double>(tally.shadowed), percent * static_cast<double>(tally.settled), tally.wrong,
+         tally.own);
   fflush(stdout);
 }
 
@@ -244,11 +249,11 @@ int main(int argc, char** argv) {
 
   ThreadPool pool(options.threads);
   Tally total;
-  printf("%-40s %6s %10s %9s %6s %6s\n", "scene", "lights", "queries", "shadowed", "wrong", "own");
+  printf("%-40s %6s %10s %9s %9s %6s %6s\n", "scene", "lights", "queries", "shadowed", "settled", "wrong", "own");
   for (const std::string& scene : options.scenes) {
     const Tally tally = prove(scene, options, pool);
     print(scene.c_str(), tally);
-    total.queries += tally.queries, total.shadowed += tally.shadowed;
+    total.queries += tally.queries, total.shadowed += tally.shadowed, total.settled += tally.settled;
     total.wrong += tally.wrong, total.own += tally.own;
   }
   if (options.scenes.size() > 1) print("all", total);

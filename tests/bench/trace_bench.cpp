@@ -24,7 +24,7 @@ struct Workload {
   KdTree tree;
   std::unique_ptr<RayCaster<float>> embree, embree_packets, kd_scalar, kd_simd;
   std::unique_ptr<RayCaster<double>> reference;
-  std::vector<int8_t> sides;
+  Sheets sheets;
   LightBuffer buffer;
   RaySets sets;
 
@@ -35,8 +35,8 @@ struct Workload {
     kd_scalar = make_kd_caster(tree, LeafKernel::scalar);
     kd_simd = make_kd_caster(tree, LeafKernel::simd);
     reference = make_reference_caster(tree);
-    sides = triangle_sides(build_topology(bench.scene, pool));
-    buffer = build_light_buffer(bench.scene, sides, bench.toward, pool);
+    sheets = make_sheets(bench.scene, build_topology(bench.scene, pool), pool);
+    buffer = build_light_buffer(bench.scene, sheets, bench.toward, pool);
     sets = make_ray_sets(bench, *embree, buffer);
   }
 };
@@ -152,7 +152,7 @@ void add_builds(Workload& work, int threads) {
   add("build/light_buffer", [&, triangles](benchmark::State& state) {
     LightBuffer buffer;
     for (auto _ : state)
-      buffer = build_light_buffer(work.bench.scene, work.sides, work.bench.toward, work.pool);
+      buffer = build_light_buffer(work.bench.scene, work.sheets, work.bench.toward, work.pool);
     state.counters["bytes/triangle"] = static_cast<double>(memory_bytes(buffer)) / triangles;
     state.counters["entries"] = static_cast<double>(buffer.entries.size());
     state.counters["cells"] = static_cast<double>(buffer.cells.size() - 1);

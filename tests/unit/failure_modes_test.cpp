@@ -18,12 +18,12 @@ struct Backends {
       : tree(build_kd_tree(scene, pool)),
         kd(make_kd_caster(tree, LeafKernel::simd)),
         embree(make_embree_caster(scene, 1)),
-        sides(triangle_sides(build_topology(scene, pool))),
-        buffer(build_light_buffer(scene, sides, toward, pool)) {}
+        sheets(make_sheets(scene, build_topology(scene, pool), pool)),
+        buffer(build_light_buffer(scene, sheets, toward, pool)) {}
   ThreadPool pool{1};
   KdTree tree;
   std::unique_ptr<RayCaster<float>> kd, embree;
-  std::vector<int8_t> sides;
+  Sheets sheets;
   LightBuffer buffer;
 };
 

@@ -106,12 +106,12 @@ bool truly_occluded(const Scene& scene, const dvec3& toward, const ShadowQuery& 
 }
 
 void expect_true_shadows(const Scene& scene, ThreadPool& pool, size_t least_lit) {
-  const std::vector<int8_t> sides = triangle_sides(build_topology(scene, pool), scene.textures.get());
+  const Sheets sheets = make_sheets(scene, build_topology(scene, pool), pool);
   Random random(5);
   size_t lit = 0, shadowed = 0, through = 0;
   for (const dvec3& way : {dvec3(0, 1, 0), dvec3(0.3, 1, -0.2), dvec3(-1, 0.1, 0.4)}) {
     const dvec3 toward = glm::normalize(way);
-    const LightBuffer buffer = build_light_buffer(scene, sides, toward, pool);
+    const LightBuffer buffer = build_light_buffer(scene, sheets, toward, pool);
     std::vector<ShadowQuery> queries;
     for (int i = 0; i < 3000; ++i)
       queries.push_back({dvec3(scene.bounds.center()) + dvec3(scene.bounds.extent() * random.in_cube(-0.7f, 0.7f))});
@@ -135,10 +135,12 @@ TEST_F(Holes, LightBufferKnowsThemAsBruteForceInDouble) { expect_true_shadows(sc
 // A ball with holes is no closed body: light that enters by one falls on the inside of the other half.
 TEST_F(Holes, LightFallsIntoABodyThroughThem) {
   const Scene ball = with_random_holes(closed_sphere(24, 12), 3);
-  const std::vector<int8_t> sides = triangle_sides(build_topology(ball, pool), ball.textures.get());
-  EXPECT_EQ(std::count(sides.begin(), sides.end(), 0), static_cast<std::ptrdiff_t>(sides.size()));
-  const std::vector<int8_t> without = triangle_sides(build_topology(ball, pool));
-  EXPECT_EQ(std::count(without.begin(), without.end(), 0), 0) << "it would be closed";
+  const Sheets sheets = make_sheets(ball, build_topology(ball, pool), pool);
+  EXPECT_EQ(std::ranges::count(sheets.sides, 0), static_cast<std::ptrdiff_t>(sheets.sides.size()));
+  Scene whole = ball;
+  whole.textures = nullptr;
+  const Sheets without = make_sheets(whole, build_topology(ball, pool), pool);
+  EXPECT_EQ(std::ranges::count(without.sides, 0), 0) << "it would be closed";
   expect_true_shadows(ball, pool, 1000);
 }
 

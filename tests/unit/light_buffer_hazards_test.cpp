@@ -18,6 +18,11 @@ uint8_t answer(const LightBuffer& buffer, const ShadowQuery& query) {
   return occluded;
 }
 
+/// No triangle goes on into another.
+Sheets loose(const Scene& scene) {
+  return {std::vector<int8_t>(scene.triangle_count()), {scene.triangle_count(), uvec3(kNoTriangle)}};
+}
+
 /// A box, and in it above its middle a pyramid that stands on its tip.
 Scene top_in_a_box() {
   Scene scene = closed_box();
@@ -38,8 +43,8 @@ TEST(LightBufferHazards, AnEyeBelowACornerOrOnASurfaceMayBeInside) {
   const Topology topology = build_topology(scene, pool);
   ASSERT_EQ(topology.components.size(), 2u);
   for (const Component& component : topology.components) ASSERT_EQ(component.winding, Winding::outward);
-  const std::vector<int8_t> sides = triangle_sides(topology);
-  const LightBuffer buffer = build_light_buffer(scene, sides, {0, 1, 0}, pool);
+  const Sheets sheets = make_sheets(scene, topology, pool);
+  const LightBuffer buffer = build_light_buffer(scene, sheets, {0, 1, 0}, pool);
   EXPECT_TRUE(may_be_enclosed(buffer, {0.5, 0.3, 0.5}));
   EXPECT_FALSE(may_be_enclosed(buffer, {0.5, -0.3, 1.2}));
   for (const dvec3 on_it : {dvec3(0.3, 1, 0.3), dvec3(0, 0.3, 0.4), dvec3(0, 1, 0), dvec3(1, 0.5, 1)})
@@ -71,14 +76,14 @@ TEST(LightBufferHazards, EyesInsideAndOutsideAndOnBodiesThatOverlap) {
   size_t asked = 0, wrong = 0, enclosed = 0, views = 0;
   for (int round = 0; round < 60; ++round) {
     const Scene scene = bodies_on_a_grid(random);
-    const std::vector<int8_t> sides = triangle_sides(build_topology(scene, pool));
+    const Sheets sheets = make_sheets(scene, build_topology(scene, pool), pool);
     const KdTree tree = build_kd_tree(scene, pool);
     const auto reference = make_reference_caster(tree);
     const dvec3 eye(random.below(7), random.below(7), random.below(7)), target(random.in_cube(0, 6));
     const View view = make_view({eye, target, {0, 1, 0}, 1.2}, dvec3(0), kSize_px, kSize_px);
     for (const dvec3& light : lights) {
       const dvec3 toward = glm::normalize(light);
-      const LightBuffer buffer = build_light_buffer(scene, sides, toward, pool);
+      const LightBuffer buffer = build_light_buffer(scene, sheets, toward, pool);
       const bool inside = may_be_enclosed(buffer, eye);
       ++views, enclosed += inside;
       for (int i = 0; i < kSize_px * kSize_px; ++i) {
@@ -104,10 +109,10 @@ TEST(LightBufferHazards, EyesInsideAndOutsideAndOnBodiesThatOverlap) {
 
 TEST(LightBufferHazards, AQueryThatMayLieAnywhereDoesNotMeetItsOwnTriangleEither) {
   const Scene scene = slivers(3, 400);
-  const std::vector<int8_t> sides(scene.triangle_count(), 0);
+  const Sheets sheets = loose(scene);
   ThreadPool pool(1);
   const dvec3 toward = glm::normalize(dvec3(0.2, 1, 0.4));
-  const LightBuffer buffer = build_light_buffer(scene, sides, toward, pool);
+  const LightBuffer buffer = build_light_buffer(scene, sheets, toward, pool);
   Random random(4);
   int asked = 0, other = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -132,9 +137,9 @@ TEST(LightBufferHazards, ManyTrianglesThatEachLieOverAllOfTheSceneTakeLittleMemo
     add_triangle(scene, {-1, y, -1}, {1, y, -1}, {0, y, 1});
   }
   scene.bounds = compute_bounds(scene);
-  const std::vector<int8_t> sides(scene.triangle_count(), 0);
+  const Sheets sheets = loose(scene);
   ThreadPool pool(2);
-  const LightBuffer buffer = build_light_buffer(scene, sides, {0, 1, 0}, pool);
+  const LightBuffer buffer = build_light_buffer(scene, sheets, {0, 1, 0}, pool);
   EXPECT_LT(memory_bytes(buffer), size_t{kSheets} * 5000);
   for (const double height : {-1.0, 0.00002, 0.5, 0.99997})
     EXPECT_EQ(answer(buffer, {{0.1, height, 0.1}}), height < 0.99995) << height;
@@ -155,10 +160,10 @@ TEST(LightBufferHazards, AWallNearlyAlongTheLightIsLitAlikeByFramesAndByPass4) {
   ThreadPool pool(1);
   const KdTree tree = build_kd_tree(scene, pool);
   const auto caster = make_kd_caster(tree, LeafKernel::scalar);
-  const std::vector<int8_t> sides(1, 0);
+  const Sheets sheets = loose(scene);
   for (const double lean : {1e-9, -1e-9}) {
     TraceJob job{scene, view, {glm::normalize(dvec3(1 + lean, 1, 0)), vec3(1)}};
-    const LightBuffer buffer = build_light_buffer(scene, sides, job.light.toward, pool);
+    const LightBuffer buffer = build_light_buffer(scene, sheets, job.light.toward, pool);
     job.light_buffer = &buffer;
     std::vector<vec4> picture(kWidth_px * kHeight_px);
     std::vector<uint32_t> ids(picture.size());

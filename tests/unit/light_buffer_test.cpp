@@ -24,8 +24,8 @@ std::vector<dvec3> light_directions(uint32_t seed) {
 class LightBufferTest : public testing::TestWithParam<NamedScene> {
  protected:
   LightBuffer build(const Scene& scene, const dvec3& toward) {
-    sides_ = triangle_sides(build_topology(scene, pool_));
-    return build_light_buffer(scene, sides_, toward, pool_);
+    sheets_ = make_sheets(scene, build_topology(scene, pool_), pool_);
+    return build_light_buffer(scene, sheets_, toward, pool_);
   }
 
   /// Queries from points of the triangles, corners and edges among them, on the side that faces the light.
@@ -92,7 +92,7 @@ class LightBufferTest : public testing::TestWithParam<NamedScene> {
   }
 
   ThreadPool pool_{2};
-  std::vector<int8_t> sides_;  ///< of the last buffer
+  Sheets sheets_;  ///< of the last buffer
 };
 
 TEST_P(LightBufferTest, AnswersAsBruteForceInDouble) {
@@ -123,9 +123,9 @@ TEST_P(LightBufferTest, IsTheSameForAnyThreads) {
   const Scene& scene = GetParam().scene;
   const dvec3 toward = glm::normalize(dvec3(1, 2, 3));
   ThreadPool one(1), five(5);
-  const std::vector<int8_t> sides = triangle_sides(build_topology(scene, pool_));
-  const LightBuffer a = build_light_buffer(scene, sides, toward, one),
-                    b = build_light_buffer(scene, sides, toward, five);
+  const Sheets sheets = make_sheets(scene, build_topology(scene, pool_), pool_);
+  const LightBuffer a = build_light_buffer(scene, sheets, toward, one),
+                    b = build_light_buffer(scene, sheets, toward, five);
   ASSERT_EQ(a.entries.size(), b.entries.size());
   if (!a.entries.empty()) {
     EXPECT_EQ(memcmp(a.entries.data(), b.entries.data(), a.entries.size() * sizeof(LightEntry)), 0);
@@ -144,7 +144,7 @@ TEST_P(LightBufferOnProcedural, AnswersAsTheReferenceCaster) {
   ProceduralOptions options;
   options.triangles = 30000;
   const Scene scene = find_procedural(GetParam())->make(options);
-  const std::vector<int8_t> sides = triangle_sides(build_topology(scene, pool));
+  const Sheets sheets = make_sheets(scene, build_topology(scene, pool), pool);
   const KdTree tree = build_kd_tree(scene, pool);
   const auto reference = make_reference_caster(tree);
   const dvec3 center(scene.bounds.center()), size(scene.bounds.extent());
@@ -152,7 +152,7 @@ TEST_P(LightBufferOnProcedural, AnswersAsTheReferenceCaster) {
   Random random(7);
   size_t asked = 0, wrong = 0, shadowed = 0;
   for (const dvec3& toward : light_directions(8)) {
-    const LightBuffer buffer = build_light_buffer(scene, sides, toward, pool);
+    const LightBuffer buffer = build_light_buffer(scene, sheets, toward, pool);
     // Points seen from outside, found by rays in double precision.
     std::vector<Ray<double>> seen;
     for (int i = 0; i < 20000; ++i) {
@@ -189,9 +189,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, LightBufferOnProcedural, testing::Values("chess
 TEST(LightBuffer, KnowsWhoIsInsideAClosedBody) {
   const Scene ball = closed_sphere(32, 16);
   ThreadPool pool(1);
-  const std::vector<int8_t> sides = triangle_sides(build_topology(ball, pool));
+  const Sheets sheets = make_sheets(ball, build_topology(ball, pool), pool);
   const LightBuffer buffer =
-      build_light_buffer(ball, sides,
+      build_light_buffer(ball, sheets,
                                                 glm::normalize(dvec3(0.1, 1, 0.2)), pool);
   EXPECT_TRUE(may_be_enclosed(buffer, {0.1, 0.2, 0.3}));
   EXPECT_FALSE(may_be_enclosed(buffer, {0.1, -1.5, 0.1})) << "below it";

@@ -118,8 +118,8 @@ TEST_F(ShadowTerminator, FacetsThatTurnAwayAreBlackAndAsManyAsTheGeometrySays) {
     expect_convention(trace(job, *make_reference_caster(tree_)), view, toward);
     expect_convention(trace(job, *make_kd_caster(tree_, LeafKernel::simd)), view, toward);
 
-    const std::vector<int8_t> sides = triangle_sides(build_topology(scene_, pool_));
-    const LightBuffer buffer = build_light_buffer(scene_, sides, toward, pool_);
+    const Sheets sheets = make_sheets(scene_, build_topology(scene_, pool_), pool_);
+    const LightBuffer buffer = build_light_buffer(scene_, sheets, toward, pool_);
     job.light_buffer = &buffer;
     expect_convention(trace(job, *make_kd_caster(tree_, LeafKernel::simd)), view, toward);
   }

@@ -75,8 +75,8 @@ TEST_F(TracePass, WithoutAMaskEveryReceiverAsksOneRayOrFacesAway) {
 }
 
 TEST_F(TracePass, WithALightBufferTheAnswersAreThoseOfDoublePrecision) {
-  const std::vector<int8_t> sides = triangle_sides(build_topology(scene_, pool_));
-  const LightBuffer buffer = build_light_buffer(scene_, sides, job_.light.toward, pool_);
+  const Sheets sheets = make_sheets(scene_, build_topology(scene_, pool_), pool_);
+  const LightBuffer buffer = build_light_buffer(scene_, sheets, job_.light.toward, pool_);
   const auto reference = make_reference_caster(tree_);
   TraceJob job = job_;
   job.light_buffer = &buffer;
