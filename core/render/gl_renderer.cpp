@@ -175,7 +175,7 @@ void GlRenderer::trace(FrameSlot& slot) {
   if (slot.plan.trace_shadows && !slot.plan.settle) pixels.lit = slot.lit_pixels;
   if (slot.plan.trace_scattered) pixels.traced = slot.traced_pixels;
   if (slot.plan.settle) slot.stats = answer_unsettled(job, pool_, slot.unsettled, slot.lit_pixels);
-  slot.stats.add(trace_pass(job, caster_, pool_, pixels));
+  if (!pixels.lit.empty() || !pixels.traced.empty()) slot.stats.add(trace_pass(job, caster_, pool_, pixels));
   slot.stats.pixels_suspect = repair.suspects;
   slot.stats.pixels_repaired = repair.repaired;
   slot.stats.repair_ms = slot.repair_ms;

@@ -175,7 +175,7 @@ class EmbreeCaster final : public RayCaster<float> {
     if (!is_traceable(ray.origin, ray.dir)) return false;
     query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
     query.dir_x = ray.dir.x, query.dir_y = ray.dir.y, query.dir_z = ray.dir.z;
-    query.tnear = std::nextafter(ray.t_min, kInfinity);
+    query.tnear = ray.t_min == 0 ? std::numeric_limits<float>::denorm_min() : std::nextafter(ray.t_min, kInfinity);
     query.tfar = ray.t_max == kInfinity ? kInfinity : std::nextafter(ray.t_max, -kInfinity);
     query.time = 0;
     query.mask = 0xFFFFFFFFu;

@@ -145,10 +145,11 @@ class Lookup {
 
   bool any_of_cell(const ShadowQuery& query, const LightCell* cell) const {
     const auto shadows = [&](uint32_t triangle) { return triangle != query.triangle && meets(query, triangle); };
-    for (uint32_t i = cell->first; i < cell[1].first; ++i)
-      if (shadows(buffer_.entries[i].triangle)) return true;
+    // A ray that starts inside a body leaves it by one of the others.
     for (uint32_t i = cell->first_other; i < cell[1].first_other; ++i)
       if (shadows(buffer_.others[i])) return true;
+    for (uint32_t i = cell->first; i < cell[1].first; ++i)
+      if (shadows(buffer_.entries[i].triangle)) return true;
     return false;
   }
 

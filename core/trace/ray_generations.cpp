@@ -70,16 +70,24 @@ void RayGenerations<Real>::set_solid_angle(uint32_t pixel, Real solid_angle) {
 }
 
 template <typename Real>
-void RayGenerations<Real>::add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& reflect,
-                                         const Vec3<Real>& dir, Real distance, Real solid_angle, TraceStats& stats) {
+void RayGenerations<Real>::add_scattered(uint32_t pixel, uint32_t triangle, const Surface<Real>& surface,
+                                         const Vec3<Real>& reflect, const Vec3<Real>& dir, Real distance,
+                                         Real solid_angle, TraceStats& stats) {
   if (job_.scene.textures) set_solid_angle(pixel, solid_angle);
-  scatter_on({Vec3<Real>(1), pixel, 0}, surface, reflect, dir, distance, stats);
+  scatter_on({Vec3<Real>(1), pixel, 0}, triangle, surface, reflect, dir, distance, stats);
+}
+
+/// 1 for the outer side of a closed body, -1 for the inner one, 0 where there is no inside or nobody has asked.
+template <typename Real>
+int RayGenerations<Real>::body_side(uint32_t triangle, const Surface<Real>& surface) const {
+  const int side = job_.light_buffer ? job_.light_buffer->sides[triangle] : 0;
+  return surface.from_outside ? side : -side;
 }
 
 /// `path`: from the eye to the surface.
 template <typename Real>
-void RayGenerations<Real>::scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& reflect,
-                                      const Vec3<Real>& dir, Real path, TraceStats& stats) {
+void RayGenerations<Real>::scatter_on(const Tag& from, uint32_t triangle, const Surface<Real>& surface,
+                                      const Vec3<Real>& reflect, const Vec3<Real>& dir, Real path, TraceStats& stats) {
   const Material& material = job_.scene.materials[surface.material];
   if (from.generation == 0) {
     stats.pixels_reflective += material.reflective();
@@ -90,11 +98,12 @@ void RayGenerations<Real>::scatter_on(const Tag& from, const Surface<Real>& surf
   const Scattered<Real> out = scatter(material, reflect, surface, dir);
   const Vec3<Real> reflected = from.weight * out.reflected_weight, refracted = from.weight * out.refracted_weight;
   if (largest_part(reflected) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.reflected_dir), {reflected, from.pixel, from.generation + 1, from.refracted, path});
+    push(leave(surface, out.reflected_dir), {reflected, from.pixel, from.generation + 1, from.bodies, path});
     ++stats.reflection_rays;
   }
   if (largest_part(refracted) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.refracted_dir, /*toward=*/false), {refracted, from.pixel, from.generation + 1, true, path});
+    push(leave(surface, out.refracted_dir, /*toward=*/false),
+         {refracted, from.pixel, from.generation + 1, from.bodies + body_side(triangle, surface), path});
     ++stats.refraction_rays;
   }
 }
@@ -108,7 +117,8 @@ void RayGenerations<Real>::take_batch() {
   tags_.resize(first);
 }
 
-/// Nothing where the light does not reach that side of the surface.
+/// Nothing where the light does not reach that side of the surface. Nor does it reach the inner side of a closed body:
+/// whatever the body is made of, it casts a full shadow.
 template <typename Real>
 std::optional<ShadowQuery> RayGenerations<Real>::shadow_query(size_t i) const {
   const Tag& tag = batch_tags_[i];
@@ -116,9 +126,9 @@ std::optional<ShadowQuery> RayGenerations<Real>::shadow_query(size_t i) const {
   if (tag.generation == 0)
     query = primary_shadow_query(job_.scene, hits_[i].triangle, job_.view.eye, primary_dirs_[tag.pixel],
                                  job_.light.toward);
-  else if (glm::dot(surfaces_[i].side, to_light_) > 0)
+  else if (glm::dot(surfaces_[i].side, to_light_) > 0 && body_side(hits_[i].triangle, surfaces_[i]) >= 0)
     query = ShadowQuery{dvec3(leave(surfaces_[i], to_light_).origin), hits_[i].triangle, surfaces_[i].from_outside};
-  if (query) query->anywhere = job_.eye_enclosed || tag.refracted;
+  if (query) query->anywhere = job_.eye_enclosed || tag.bodies != 0;
   return query;
 }
 
@@ -198,7 +208,7 @@ void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHi
       colors[tag.pixel] +=
           tag.weight * phong(paint.kd, paint.ks, paint.ke, Real(m.ns), Real(m.opacity), surface.normal, -dir,
                              to_light_, ambient, light, Real(lit_[i]));
-      scatter_on(tag, surface, paint.reflect, dir, tag.path + hits_[i].t, stats);
+      scatter_on(tag, hits_[i].triangle, surface, paint.reflect, dir, tag.path + hits_[i].t, stats);
     }
     if (!primary) stats.secondary_cpu_ms += thread_cpu_ms() - started_ms;
   }
