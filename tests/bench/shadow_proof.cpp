@@ -5,6 +5,7 @@
 // --single: what a pixel sees is found in single precision, as a frame finds it, so that now and then an origin lies
 // behind what hides it.
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
@@ -30,8 +31,10 @@ struct Options {
 };
 
 struct Tally {
-  size_t queries = 0, shadowed = 0, wrong = 0;
-  size_t settled = 0;  ///< by a certificate, without a look at triangles
+  size_t receivers = 0;  ///< pixels that see a triangle
+  size_t queries = 0;    ///< from those that see its lit side
+  size_t asked = 0;      ///< of these, without a certificate
+  size_t shadowed = 0, wrong = 0;
   size_t own = 0;  ///< the tracer found nothing but the query's own triangle: its rounding, in a sliver
 };
 
@@ -98,7 +101,9 @@ class Proof {
 
   void ask(const View& view, Tally& tally) {
     const std::vector<uint32_t> seen = ids(view);
+    const auto receivers = seen.size() - static_cast<size_t>(std::ranges::count(seen, kNoTriangle));
     for (const dvec3& toward : light_directions(scene_, view)) {
+      tally.receivers += receivers;
       const LightBuffer buffer = build_light_buffer(scene_, sheets_, toward, pool_);
       const bool enclosed = may_be_enclosed(buffer, view.eye);
       std::mutex mutex;
@@ -112,7 +117,7 @@ class Proof {
             }
         const Tally row = compare(buffer, queries);
         std::lock_guard lock(mutex);
-        tally.queries += row.queries, tally.shadowed += row.shadowed, tally.settled += row.settled;
+        tally.queries += row.queries, tally.shadowed += row.shadowed, tally.asked += row.asked;
         tally.wrong += row.wrong, tally.own += row.own;
       });
     }
@@ -154,7 +159,7 @@ class Proof {
     tally.queries = queries.size();
     for (size_t i = 0; i < queries.size(); ++i) {
       tally.shadowed += truth[i];
-      tally.settled += certainties[i] == ShadowCertainty::lit || certainties[i] == ShadowCertainty::shadow;
+      tally.asked += certainties[i] == ShadowCertainty::unsettled || certainties[i] == ShadowCertainty::inside;
       if (truth[i] == occluded[i]) continue;
       const uint32_t in_the_way = truth[i] ? other_in_the_way(queries[i], buffer.toward) : kNoTriangle;
       if (truth[i] && in_the_way == kNoTriangle) {
@@ -204,8 +209,8 @@ Tally prove(const std::string& argument, const Options& options, ThreadPool& poo
   for (const double offset : kOffsets) {
     BenchScene bench = load_bench_scene(argument, pool);
     if (options.quick) {
-      bench.view.width_px = bench.view.frame_width_px = 128;
-      bench.view.height_px = bench.view.frame_height_px = 96;
+      bench.view.width_px = bench.view.frame_width_px = 192;
+      bench.view.height_px = bench.view.frame_height_px = 144;
     }
     move(bench, offset);
     Proof proof(bench.scene, options.single, pool);
@@ -216,9 +221,9 @@ Tally prove(const std::string& argument, const Options& options, ThreadPool& poo
 }
 
 void print(const char* scene, const Tally& tally) {
-  const double percent = 100.0 / static_cast<double>(std::max<size_t>(tally.queries, 1));
-  printf("%-40s %6d %10zu %8.1f%% %8.1f%% %6zu %6zu\n", scene, kLights, tally.queries,
-         percent * static_cast<double>(tally.shadowed), percent * static_cast<double>(tally.settled), tally.wrong,
+  const double percent = 100.0 / static_cast<double>(std::max<size_t>(tally.receivers, 1));
+  printf("%-40s %6d %10zu %10zu %8.1f%% %8.1f%% %6zu %6zu\n", scene, kLights, tally.receivers, tally.queries,
+         percent * static_cast<double>(tally.shadowed), percent * static_cast<double>(tally.asked), tally.wrong,
          tally.own);
   fflush(stdout);
 }
@@ -249,11 +254,12 @@ int main(int argc, char** argv) {
 
   ThreadPool pool(options.threads);
   Tally total;
-  printf("%-40s %6s %10s %9s %9s %6s %6s\n", "scene", "lights", "queries", "shadowed", "settled", "wrong", "own");
+  printf("%-40s %6s %10s %10s %9s %9s %6s %6s\n", "scene", "lights", "receivers", "queries", "shadowed", "asked", "wrong", "own");
   for (const std::string& scene : options.scenes) {
     const Tally tally = prove(scene, options, pool);
     print(scene.c_str(), tally);
-    total.queries += tally.queries, total.shadowed += tally.shadowed, total.settled += tally.settled;
+    total.queries += tally.queries, total.shadowed += tally.shadowed, total.asked += tally.asked;
+    total.receivers += tally.receivers;
     total.wrong += tally.wrong, total.own += tally.own;
   }
   if (options.scenes.size() > 1) print("all", total);

@@ -136,7 +136,7 @@ TEST(Sheets, CertificatesAreNeverWrong) {
     for (const dvec3& light : lights) {
       const dvec3 toward = glm::normalize(light);
       const LightBuffer buffer = build_light_buffer(scene, sheets, toward, pool);
-      const std::vector<ShadowQuery> queries = surface_queries(scene, toward, random, 6000);
+      const std::vector<ShadowQuery> queries = surface_queries(scene, toward, random, 2500);
       std::vector<ShadowCertainty> certainties(queries.size());
       certify(buffer, queries, certainties);
       std::vector<Ray<double>> rays;
