@@ -31,7 +31,7 @@ vec3 shading_normal(uint id, vec3 weights, vec3 side) {
 layout(binding = HRT_UNIT_TEXCOORDS) uniform samplerBuffer texcoords;
 layout(binding = HRT_UNIT_TRIANGLE_TEXCOORDS) uniform usamplerBuffer triangle_texcoords;
 
-uniform float pixel_area;  // where its direction's component along the camera's axis is 1
+uniform float sample_area;  // where its direction's component along the camera's axis is 1
 
 void apply_textures(uint maps, uint id, Triangle t, vec3 weights, vec3 dir, inout vec3 kd, inout vec3 ks,
                     inout vec3 ke) {
@@ -42,7 +42,7 @@ void apply_textures(uint maps, uint id, Triangle t, vec3 weights, vec3 dir, inou
   vec2 uv = weights.x * t0 + weights.y * t1 + weights.z * t2;
   float distance_along = length(weights.x * t.p0 + weights.y * t.p1 + weights.z * t.p2);
   float footprint = pixel_footprint(t.p1 - t.p0, t.p2 - t.p0, t1 - t0, t2 - t0, normalize(dir),
-                                    pixel_solid_angle(dir, pixel_area), distance_along);
+                                    sample_solid_angle(dir, sample_area), distance_along);
   kd = mapped_color(maps, HRT_MAP_DIFFUSE, kd, uv, footprint);
   ks = mapped_color(maps, HRT_MAP_SPECULAR, ks, uv, footprint);
   ke = mapped_color(maps, HRT_MAP_EMITTED, ke, uv, footprint);

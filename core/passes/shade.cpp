@@ -25,7 +25,7 @@ void ShadePass::run(const In& in, const Out& out) const {
   program_.set("light", in.light);
   program_.set("ambient", in.ambient);
   program_.set("background", in.background);
-  if (textured_) program_.set("pixel_area", static_cast<float>(in.view.pixel_area()));
+  if (textured_) program_.set("sample_area", static_cast<float>(in.view.sample_area()));
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);
   gl::throw_on_error(gl, "pass 5, shading");

@@ -36,6 +36,7 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.view = part_of(make_view(request.camera, scene.origin_world, settings.width_px, settings.height_px), part.x_px,
                       part.y_px, part.width_px, part.height_px);
   plan.view.sample_px = request.sample_offset_px;
+  plan.view.samples = settings.samples;
   plan.light = request.light;
   const double size = glm::length(dvec3(facts.bounds.extent()));
   plan.near_distance = 1e-5 * std::max(size, 1e-30);

@@ -59,7 +59,7 @@ void RayGenerations<Real>::add_primary(uint32_t pixel, int x, int y) {
     primary_dirs_.resize(std::max<size_t>(primary_dirs_.size(), pixel + 1));
     primary_dirs_[pixel] = dir;
   }
-  if (job_.scene.textures) set_solid_angle(pixel, static_cast<Real>(job_.view.pixel_solid_angle(x, y)));
+  if (job_.scene.textures) set_solid_angle(pixel, static_cast<Real>(job_.view.sample_solid_angle(x, y)));
   push(ray, {Vec3<Real>(1), pixel, 0});
 }
 

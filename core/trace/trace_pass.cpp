@@ -106,7 +106,7 @@ class TileTrace {
     float distance = 0, solid_angle = 0;
     if (job_.scene.textures) {
       distance = static_cast<float>(glm::distance(job_.view.eye, dvec3(surface.point)));
-      solid_angle = static_cast<float>(job_.view.pixel_solid_angle(x, y));
+      solid_angle = static_cast<float>(job_.view.sample_solid_angle(x, y));
       if (material.texture_maps != 0)
         reflect = textured_colors(job_.scene, triangle, static_cast<float>(weights.y), static_cast<float>(weights.z),
                                   vec3(dir), solid_angle, distance)
