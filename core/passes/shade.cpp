@@ -1,6 +1,9 @@
 #include "core/passes/shade.h"
 
+#include "core/base/check.h"
 #include "shaders/shared.h"
+
+#include <fmt/format.h>
 
 namespace hybridrt {
 
@@ -8,6 +11,18 @@ ShadePass::ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, 
     : gl_(gl),
       textured_(textured),
       program_(textured ? gl::Program(gl, shaders, {"shade_textured.comp"}) : gl::Program(gl, shaders, {"shade.comp"})) {}
+
+void ShadePass::set_lights(const In& in) const {
+  HRT_CHECK(in.lights.size() <= HRT_MAX_LIGHTS);
+  int masked = 0;
+  for (size_t l = 0; l < in.lights.size(); ++l) {
+    program_.set(fmt::format("to_light[{}]", l).c_str(), vec3(in.lights[l].toward));
+    program_.set(fmt::format("light[{}]", l).c_str(), in.lights[l].color);
+    if (in.mask && in.lights[l].casts_shadow) masked |= 1 << l;
+  }
+  program_.set("light_count", static_cast<int>(in.lights.size()));
+  program_.set("masked_lights", masked);
+}
 
 void ShadePass::run(const In& in, const Out& out) const {
   const gl::Functions& gl = gl_;
@@ -19,10 +34,8 @@ void ShadePass::run(const In& in, const Out& out) const {
 
   program_.use();
   set_view_uniforms(program_, in.view);
-  program_.set("use_mask", in.mask ? 1 : 0);
   program_.set("use_traced", in.traced ? 1 : 0);
-  program_.set("to_light", vec3(in.to_light));
-  program_.set("light", in.light);
+  set_lights(in);
   program_.set("ambient", in.ambient);
   program_.set("background", in.background);
   if (textured_) program_.set("sample_area", static_cast<float>(in.view.sample_area()));

@@ -2,9 +2,11 @@
 
 #include "core/passes/scene_gpu.h"
 
+#include <span>
+
 namespace hybridrt {
 
-/// Pass 5 (paper, section 3.4): ambient + shadow · (diffuse + specular) + traced contribution, once a
+/// Pass 5 (paper, section 3.4): ambient + each light's shadow · (diffuse + specular) + traced contribution, once a
 /// pixel from its id.
 struct ShadePass {
   /// `textured`: whether SceneGpu has textures.
@@ -14,10 +16,11 @@ struct ShadePass {
     const SceneGpu& scene;
     const View& view;
     const gl::Texture& ids;
-    const gl::Texture* mask;    ///< R8UI, HRT_MASK_LIT where the light arrives; null: everywhere
-    const gl::Texture* traced;  ///< RGBA32F, added to the colour; null: nothing
-    dvec3 to_light;
-    vec3 light, ambient, background;
+    const gl::TextureArray* mask;  ///< R8UI, a layer a light: HRT_MASK_LIT where it arrives; null: they arrive everywhere
+    const gl::Texture* traced;     ///< RGBA32F, added to the colour; null: nothing
+    std::span<const DirectionalLight> lights;  ///< at most HRT_MAX_LIGHTS; what is in the layers of those without shadows
+                                               ///< does not matter
+    vec3 ambient, background;
   };
   struct Out {
     const gl::Texture& picture;  ///< RGBA32F, linear; alpha 1 where a surface is seen, else 0
@@ -25,6 +28,8 @@ struct ShadePass {
   void run(const In& in, const Out& out) const;
 
  private:
+  void set_lights(const In& in) const;
+
   const gl::Functions& gl_;
   const bool textured_;
   gl::Program program_;

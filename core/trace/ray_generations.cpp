@@ -2,6 +2,7 @@
 
 #include "core/base/check.h"
 #include "core/trace/primary_surface.h"
+#include "shaders/shared.h"
 
 #include <time.h>
 
@@ -41,7 +42,14 @@ void TraceStats::add(const TraceStats& other) {
 
 template <typename Real>
 RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>* caster)
-    : job_(job), caster_(caster), to_light_(job.light.toward) {}
+    : job_(job), caster_(caster), ambient_(job.ambient), background_(job.background), shadow_queues_(job.lights.size()) {
+  HRT_CHECK(job.lights.size() <= HRT_MAX_LIGHTS);
+  for (const TracedLight& traced : job.lights) {
+    to_light_.emplace_back(traced.light.toward);
+    light_color_.emplace_back(traced.light.color);
+    asks_buffers_ |= traced.buffer != nullptr;
+  }
+}
 
 template <typename Real>
 void RayGenerations<Real>::push(const Ray<Real>& ray, const Tag& tag) {
@@ -55,7 +63,7 @@ void RayGenerations<Real>::add_primary(uint32_t pixel, int x, int y) {
   ray.origin = Vec3<Real>(job_.view.eye);
   const dvec3 dir = glm::normalize(job_.view.pixel_dir(x, y));
   ray.dir = Vec3<Real>(dir);
-  if (job_.light_buffer) {
+  if (asks_buffers_) {
     primary_dirs_.resize(std::max<size_t>(primary_dirs_.size(), pixel + 1));
     primary_dirs_[pixel] = dir;
   }
@@ -108,50 +116,52 @@ void RayGenerations<Real>::take_batch() {
   tags_.resize(first);
 }
 
-/// Nothing where the light does not reach that side of the surface.
+/// Asks every light that the hit's side faces; those without shadows arrive unasked.
 template <typename Real>
-std::optional<ShadowQuery> RayGenerations<Real>::shadow_query(size_t i) const {
+void RayGenerations<Real>::queue_shadow_rays(size_t i) {
   const Tag& tag = batch_tags_[i];
-  std::optional<ShadowQuery> query;
-  if (tag.generation == 0)
-    query = primary_shadow_query(job_.scene, hits_[i].triangle, job_.view.eye, primary_dirs_[tag.pixel],
-                                 job_.light.toward);
-  else if (glm::dot(surfaces_[i].side, to_light_) > 0)
-    query = ShadowQuery{dvec3(leave(surfaces_[i], to_light_).origin), hits_[i].triangle, surfaces_[i].from_outside};
-  if (query) query->anywhere = job_.eye_enclosed || tag.refracted;
-  return query;
+  const Surface<Real>& surface = surfaces_[i];
+  SeenPoint seen;
+  const bool primary_query = asks_buffers_ && tag.generation == 0;
+  if (primary_query) seen = seen_point(job_.scene, hits_[i].triangle, job_.view.eye, primary_dirs_[tag.pixel]);
+  for (size_t l = 0; l < job_.lights.size(); ++l) {
+    const bool asks = job_.casts_shadow(l), asks_buffer = asks && job_.lights[l].buffer;
+    const bool faces = asks_buffer && primary_query ? seen.faces(job_.lights[l].light.toward)
+                                                    : glm::dot(surface.side, to_light_[l]) > 0;
+    if (!faces) continue;  // the unlit side needs no ray
+    lit_[i] |= 1u << l;
+    if (!asks) continue;
+    ShadowQueue<Real>& queue = shadow_queues_[l];
+    queue.owners.push_back(i);
+    if (!asks_buffer) {
+      queue.rays.push_back(leave(surface, to_light_[l]));
+      continue;
+    }
+    ShadowQuery query = seen.query;
+    if (!primary_query)
+      query = {dvec3(leave(surface, to_light_[l]).origin), hits_[i].triangle, surface.from_outside};
+    query.anywhere = job_.eye_enclosed || tag.refracted;
+    queue.queries.push_back(query);
+  }
 }
 
-/// Fills lit_: which hits of the batch the light reaches.
+/// Fills lit_: which lights reach the hits of the batch.
 template <typename Real>
 void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
-  shadow_rays_.clear();
-  shadow_queries_.clear();
-  shadow_owner_.clear();
+  for (ShadowQueue<Real>& queue : shadow_queues_) queue.clear();
   lit_.assign(hits_.size(), 0);
-  for (size_t i = 0; i < hits_.size(); ++i) {
-    if (!hits_[i].found()) continue;
-    if (job_.shadows && job_.light_buffer) {
-      const std::optional<ShadowQuery> query = shadow_query(i);
-      if (!query) continue;
-      shadow_queries_.push_back(*query);
-    } else {
-      if (glm::dot(surfaces_[i].side, to_light_) <= 0) continue;  // the unlit side needs no ray
-      if (job_.shadows) shadow_rays_.push_back(leave(surfaces_[i], to_light_));
+  for (size_t i = 0; i < hits_.size(); ++i)
+    if (hits_[i].found()) queue_shadow_rays(i);
+  for (size_t l = 0; l < shadow_queues_.size(); ++l) {
+    ShadowQueue<Real>& queue = shadow_queues_[l];
+    queue.answer(job_.lights[l], caster_);
+    stats.shadow_rays += static_cast<int64_t>(queue.owners.size());
+    for (size_t k = 0; k < queue.owners.size(); ++k) {
+      const size_t i = queue.owners[k];
+      stats.primary_shadow_rays += batch_tags_[i].generation == 0;
+      if (queue.occluded[k]) lit_[i] &= ~(1u << l);
     }
-    lit_[i] = 1;
-    if (!job_.shadows) continue;
-    shadow_owner_.push_back(static_cast<uint32_t>(i));
-    stats.primary_shadow_rays += batch_tags_[i].generation == 0;
   }
-  stats.shadow_rays += static_cast<int64_t>(shadow_owner_.size());
-  occluded_.resize(shadow_owner_.size());
-  if (job_.light_buffer)
-    shadow_answers(*job_.light_buffer, shadow_queries_, occluded_);
-  else
-    caster_->any_hits(shadow_rays_, occluded_);
-  for (size_t i = 0; i < occluded_.size(); ++i)
-    if (occluded_[i]) lit_[shadow_owner_[i]] = 0;
 }
 
 template <typename Real>
@@ -162,10 +172,22 @@ SurfaceColors<Real> RayGenerations<Real>::colors_of(size_t i) const {
                          solid_angles_[batch_tags_[i].pixel], batch_tags_[i].path + hits_[i].t);
 }
 
+/// Without what the surface sends on.
+template <typename Real>
+Vec3<Real> RayGenerations<Real>::color_of(size_t i, const SurfaceColors<Real>& paint) const {
+  const Surface<Real>& surface = surfaces_[i];
+  const Material& m = job_.scene.materials[surface.material];
+  Vec3<Real> color = phong_unlit(paint.kd, paint.ke, Real(m.opacity), ambient_);
+  for (size_t l = 0; l < to_light_.size(); ++l)
+    if (lit_[i] >> l & 1)
+      color += phong_light(paint.kd, paint.ks, Real(m.ns), Real(m.opacity), surface.normal, -batch_rays_[i].dir,
+                           to_light_[l], light_color_[l]);
+  return color;
+}
+
 template <typename Real>
 void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHit> primary_hits, TraceStats& stats) {
   const Scene& scene = job_.scene;
-  const Vec3<Real> light(job_.light.color), ambient(job_.ambient), background(job_.background);
   while (!rays_.empty()) {
     const double started_ms = thread_cpu_ms();
     take_batch();
@@ -184,21 +206,17 @@ void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHi
     for (size_t i = 0; i < hits_.size(); ++i) {
       const Tag& tag = batch_tags_[i];
       if (!hits_[i].found()) {
-        colors[tag.pixel] += tag.weight * background;
+        colors[tag.pixel] += tag.weight * background_;
         continue;
       }
       if (tag.generation == 0) {
-        primary_hits[tag.pixel] = {hits_[i].triangle, lit_[i] != 0};
+        primary_hits[tag.pixel] = {hits_[i].triangle, lit_[i]};
         ++stats.pixels_hit;
       }
       const Surface<Real>& surface = surfaces_[i];
-      const Material& m = scene.materials[surface.material];
       const SurfaceColors<Real> paint = colors_of(i);
-      const Vec3<Real>& dir = batch_rays_[i].dir;
-      colors[tag.pixel] +=
-          tag.weight * phong(paint.kd, paint.ks, paint.ke, Real(m.ns), Real(m.opacity), surface.normal, -dir,
-                             to_light_, ambient, light, Real(lit_[i]));
-      scatter_on(tag, surface, paint.reflect, dir, tag.path + hits_[i].t, stats);
+      colors[tag.pixel] += tag.weight * color_of(i, paint);
+      scatter_on(tag, surface, paint.reflect, batch_rays_[i].dir, tag.path + hits_[i].t, stats);
     }
     if (!primary) stats.secondary_cpu_ms += thread_cpu_ms() - started_ms;
   }
