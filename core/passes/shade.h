@@ -16,10 +16,9 @@ struct ShadePass {
     const SceneGpu& scene;
     const View& view;
     const gl::Texture& ids;
-    const gl::TextureArray* mask;  ///< R8UI, a layer a light: HRT_MASK_LIT where it arrives; null: they arrive everywhere
+    const gl::TextureArray* mask;  ///< R8UI, a layer a light: HRT_MASK_LIT where it arrives; null: everywhere
     const gl::Texture* traced;     ///< RGBA32F, added to the colour; null: nothing
-    std::span<const DirectionalLight> lights;  ///< at most HRT_MAX_LIGHTS; what is in the layers of those without shadows
-                                               ///< does not matter
+    std::span<const DirectionalLight> lights;  ///< at most HRT_MAX_LIGHTS; those without shadows arrive everywhere
     vec3 ambient, background;
   };
   struct Out {

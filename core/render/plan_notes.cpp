@@ -23,10 +23,11 @@ std::string for_each_light(const FramePlan& plan) {
 StepNote shadow_map_note(const FramePlan& plan, const RenderSettings& s, bool light_moves) {
   constexpr std::string_view kStep = "pass 1 shadow map";
   if (!plan.shadow_map) return left_out(kStep, shadows_option(s) + " needs none");
+  const bool several = plan.lights.size() > 1;
+  const char* moving = several ? "kept where a light stands still" : "the light moves";
+  const char* still = several ? "the lights stand still" : "the light stands still";
   return {kStep, light_moves ? Runs::each_frame : Runs::once,
-          fmt::format("{0} x {0} texels{1}; {2}", s.shadow_map_px, for_each_light(plan),
-                      plan.lights.size() > 1 ? light_moves ? "kept where a light stands still" : "the lights stand still"
-                                             : light_moves ? "the light moves" : "the light stands still")};
+          fmt::format("{0} x {0} texels{1}; {2}", s.shadow_map_px, for_each_light(plan), light_moves ? moving : still)};
 }
 
 StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
@@ -53,7 +54,8 @@ StepNote shadow_rays_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 4 shadow rays";
   if (plan.mark) return {kStep, Runs::each_frame, "at the pixels that pass 3 marks"};
   if (plan.settle) return {kStep, Runs::each_frame, "at the pixels that pass 3 cannot settle"};
-  if (s.shadows == ShadowMode::rays) return {kStep, Runs::each_frame, "at every pixel that faces the light" + for_each_light(plan)};
+  if (s.shadows == ShadowMode::rays)
+    return {kStep, Runs::each_frame, "at every pixel that faces the light" + for_each_light(plan)};
   return left_out(kStep, plan.shadow_map ? "the shadow map decides alone" : "--shadows none");
 }
 

@@ -56,7 +56,8 @@ RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& s
     request.threads = job.threads;
     const std::unique_ptr<gl::Context> context = gl::open_context(request);
     facts.gl = context->info();
-    const bool rays_needed = needs_caster(make_scene_facts(job.scene), job.settings, lights_move(job.lights, job.motion));
+    const bool rays_needed =
+        needs_caster(make_scene_facts(job.scene), job.settings, lights_move(job.lights, job.motion));
     GlRenderer renderer(*context, job.shaders, job.scene, job.settings, job.lights.lights.size(),
                         rays_needed ? &caster() : nullptr, pool);
     ready();

@@ -42,7 +42,11 @@ void TraceStats::add(const TraceStats& other) {
 
 template <typename Real>
 RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>* caster)
-    : job_(job), caster_(caster), ambient_(job.ambient), background_(job.background), shadow_queues_(job.lights.size()) {
+    : job_(job),
+      caster_(caster),
+      ambient_(job.ambient),
+      background_(job.background),
+      shadow_queues_(job.lights.size()) {
   HRT_CHECK(job.lights.size() <= HRT_MAX_LIGHTS);
   for (const TracedLight& traced : job.lights) {
     to_light_.emplace_back(traced.light.toward);

@@ -30,7 +30,8 @@ struct SceneFile : testing::Test {
 
 TEST_F(SceneFile, ReadsEverything) {
   const SceneDescription scene = read(R"({"meshes":["a.obj","sub/../b.PLY"],"up_axis":"z",
-    "lights":[{"type":"directional","toward":[0,0,4],"color":[1,0.5,0.25]},{"type":"directional","toward":[-9,0,0]}],"ambient":[0.1,0.2,0.3],"background":0.5,
+    "lights":[{"type":"directional","toward":[0,0,4],"color":[1,0.5,0.25]},{"type":"directional","toward":[-9,0,0]}],
+    "ambient":[0.1,0.2,0.3],"background":0.5,
     "settings":{"size":"64x48","reflection-depth":2,"fov":40.5,"require-hardware":true,"aov":["id","depth"],"light":[1,2,3],
                 "camera":"c.json"}})");
   ASSERT_EQ(scene.meshes.size(), 2u);
@@ -106,7 +107,8 @@ TEST_F(SceneFile, RefusesWhatItDoesNotKnow) {
   string lights = light;
   for (int i = 1; i < 8; ++i) lights += "," + light;
   EXPECT_EQ(read(R"({"meshes":["a.obj"],"lights":[)" + lights + "]}").lights->size(), 8u);
-  EXPECT_TRUE(contains(failure_of("\"lights\":[" + lights + "," + light + "]"), "lights: there are 9 lights; at most 8"));
+  EXPECT_TRUE(contains(failure_of("\"lights\":[" + lights + "," + light + "]"),
+                       "lights: there are 9 lights; at most 8"));
   EXPECT_TRUE(contains(failure_of(R"("settings":{"size":{}})"), "settings.size: must be"));
   EXPECT_TRUE(contains(failure_of(R"("camera":{"eye":[0,0,1],"target":[0,0,0],"fov":3})"),
                        "camera: unknown key 'fov'"));

@@ -157,8 +157,11 @@ TEST_F(SeveralLights, WithoutAnyThereIsAmbientLightAndEmission) {
   const TraceStats stats = trace_frame(job, *caster_, pool_, TracedFrame<float>{picture, ids, {}});
   EXPECT_EQ(stats.shadow_rays, 0);
   for (size_t i = 0; i < kPixels; ++i) {
-    const vec3 expected = ids[i] == kNoTriangle ? job.background
-                                                : scene.material_of(ids[i]).ke + scene.material_of(ids[i]).opacity * job.ambient * scene.material_of(ids[i]).kd;
+    vec3 expected = job.background;
+    if (ids[i] != kNoTriangle) {
+      const Material& material = scene.material_of(ids[i]);
+      expected = material.ke + material.opacity * job.ambient * material.kd;
+    }
     ASSERT_EQ(vec3(picture[i]), expected) << i;
   }
 }
@@ -191,7 +194,8 @@ TEST(SeveralLightsPlan, PassesRunForThoseThatCastShadows) {
 
 TEST(SeveralLightsMotion, KeysMoveTheFirstAndTheCameraTurnsAll) {
   CameraPath path;
-  path.keys = {{1, {{5, 1, 0}, {0, 0, 0}, {0, 1, 0}, 1}, dvec3(1, 0, 0)}, {5, {{0, 1, 5}, {0, 0, 0}, {0, 1, 0}, 1}, dvec3(0, 1, 0)}};
+  path.keys = {{1, {{5, 1, 0}, {0, 0, 0}, {0, 1, 0}, 1}, dvec3(1, 0, 0)},
+               {5, {{0, 1, 5}, {0, 0, 0}, {0, 1, 0}, 1}, dvec3(0, 1, 0)}};
   const CameraMotion motion{path, {1, 5, 1}};
   LightMotion lights;
   lights.lights = {{dvec3(1, 0, 0), vec3(1)}, {dvec3(0, 0.6, 0.8), vec3(0.5f), false}};
