@@ -1,6 +1,8 @@
 // Pass 5: ambient + each light's shadow * (diffuse + specular) + what pass 4 traced, once a pixel from its id.
 // HRT_TEXTURED: some materials have maps.
+// HRT_LIGHT_COUNT: how many lights there are; ShadePass writes it.
 #include "scene.glsl"
+#include "light_count.glsl"
 #ifdef HRT_TEXTURED
 #include "texture_words.glsl"
 #endif
@@ -14,7 +16,6 @@ layout(binding = HRT_UNIT_MATERIALS) uniform samplerBuffer materials;
 layout(binding = HRT_IMAGE_OUT, rgba32f) uniform writeonly image2D picture;
 
 uniform int use_traced;  // 0: no ray of pass 4 adds light
-uniform int light_count;
 uniform int masked_lights;  // bit i: light i casts shadows, layer i of the mask says where
 uniform vec3 to_light[HRT_MAX_LIGHTS];
 uniform vec3 light[HRT_MAX_LIGHTS];
@@ -72,7 +73,7 @@ vec3 shaded(ivec2 pixel, uint id) {
 #endif
   vec3 normal = shading_normal(id, weights, side);
   vec3 color = phong_unlit(kd, ke, ks_opacity.a, ambient);
-  for (int i = 0; i < light_count; ++i)
+  for (int i = 0; i < HRT_LIGHT_COUNT; ++i)
     if (arrives(i, pixel, side))
       color += phong_light(kd, ks, kd_ns.a, ks_opacity.a, normal, normalize(-dir), to_light[i], light[i]);
   return use_traced != 0 ? color + texelFetch(traced, pixel, 0).rgb : color;

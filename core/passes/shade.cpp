@@ -3,24 +3,35 @@
 #include "core/base/check.h"
 #include "shaders/shared.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace hybridrt {
+namespace {
 
-ShadePass::ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool textured)
+gl::ShaderSources with_light_count(gl::ShaderSources shaders, size_t light_count) {
+  // With none the compiler would leave the geometry out, and some uniforms with it: then there is a black one.
+  shaders["light_count.glsl"] = fmt::format("#define HRT_LIGHT_COUNT {}\n", std::max<size_t>(light_count, 1));
+  return shaders;
+}
+
+}  // namespace
+
+ShadePass::ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, size_t light_count, bool textured)
     : gl_(gl),
+      light_count_(light_count),
       textured_(textured),
-      program_(textured ? gl::Program(gl, shaders, {"shade_textured.comp"}) : gl::Program(gl, shaders, {"shade.comp"})) {}
+      program_(gl, with_light_count(shaders, light_count), {textured ? "shade_textured.comp" : "shade.comp"}) {}
 
 void ShadePass::set_lights(const In& in) const {
-  HRT_CHECK(in.lights.size() <= HRT_MAX_LIGHTS);
+  HRT_CHECK_EQ(in.lights.size(), light_count_);
   int masked = 0;
+  if (in.lights.empty()) program_.set("light[0]", vec3(0));
   for (size_t l = 0; l < in.lights.size(); ++l) {
     program_.set(fmt::format("to_light[{}]", l).c_str(), vec3(in.lights[l].toward));
     program_.set(fmt::format("light[{}]", l).c_str(), in.lights[l].color);
     if (in.mask && in.lights[l].casts_shadow) masked |= 1 << l;
   }
-  program_.set("light_count", static_cast<int>(in.lights.size()));
   program_.set("masked_lights", masked);
 }
 

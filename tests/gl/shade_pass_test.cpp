@@ -67,7 +67,7 @@ class ShadePassTest : public GlTest {
         picture(gl(), GL_RGBA32F, kWidth_px, kHeight_px, "picture");
     write_layers(gl(), mask, kWidth_px, kHeight_px, GL_RED_INTEGER, GL_UNSIGNED_BYTE, lit_);
     write_pixels(gl(), traced, kWidth_px, kHeight_px, GL_RGBA, GL_FLOAT, traced_);
-    ShadePass(gl(), gl::embedded_shaders())
+    ShadePass(gl(), gl::embedded_shaders(), lights_.size())
         .run({seen.gpu, view_, seen.ids, use_mask ? &mask : nullptr, use_traced ? &traced : nullptr, lights_,
               ambient_, background_},
              {picture});
