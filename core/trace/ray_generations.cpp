@@ -46,12 +46,12 @@ RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>*
       caster_(caster),
       ambient_(job.ambient),
       background_(job.background),
+      asks_buffers_(job.has_buffers()),
       shadow_queues_(job.lights.size()) {
   HRT_CHECK(job.lights.size() <= HRT_MAX_LIGHTS);
   for (const TracedLight& traced : job.lights) {
     to_light_.emplace_back(traced.light.toward);
     light_color_.emplace_back(traced.light.color);
-    asks_buffers_ |= traced.buffer != nullptr;
   }
 }
 
@@ -125,27 +125,29 @@ template <typename Real>
 void RayGenerations<Real>::queue_shadow_rays(size_t i) {
   const Tag& tag = batch_tags_[i];
   const Surface<Real>& surface = surfaces_[i];
-  SeenPoint seen;
-  const bool primary_query = asks_buffers_ && tag.generation == 0;
-  if (primary_query) seen = seen_point(job_.scene, hits_[i].triangle, job_.view.eye, primary_dirs_[tag.pixel]);
-  for (size_t l = 0; l < job_.lights.size(); ++l) {
-    const bool asks = job_.casts_shadow(l), asks_buffer = asks && job_.lights[l].buffer;
-    const bool faces = asks_buffer && primary_query ? seen.faces(job_.lights[l].light.toward)
-                                                    : glm::dot(surface.side, to_light_[l]) > 0;
-    if (!faces) continue;  // the unlit side needs no ray
+  const auto ask_buffer = [&](size_t l, const ShadowQuery& query) {
     lit_[i] |= 1u << l;
-    if (!asks) continue;
-    ShadowQueue<Real>& queue = shadow_queues_[l];
-    queue.owners.push_back(i);
-    if (!asks_buffer) {
-      queue.rays.push_back(leave(surface, to_light_[l]));
+    shadow_queues_[l].owners.push_back(i);
+    shadow_queues_[l].queries.push_back(query);
+    shadow_queues_[l].queries.back().anywhere = job_.eye_enclosed || tag.refracted;
+  };
+  const bool as_seen = asks_buffers_ && tag.generation == 0;
+  if (as_seen)
+    for_each_facing_light(job_.scene, hits_[i].triangle, job_.view.eye, primary_dirs_[tag.pixel], job_.lights,
+                          [&](size_t l, const ShadowQuery& query) {
+                            if (job_.casts_shadow(l)) ask_buffer(l, query);
+                          });
+  for (size_t l = 0; l < to_light_.size(); ++l) {
+    const bool asks = job_.casts_shadow(l);
+    if ((as_seen && asks) || glm::dot(surface.side, to_light_[l]) <= 0) continue;  // the unlit side needs no ray
+    if (asks && asks_buffers_) {
+      ask_buffer(l, {dvec3(leave(surface, to_light_[l]).origin), hits_[i].triangle, surface.from_outside});
       continue;
     }
-    ShadowQuery query = seen.query;
-    if (!primary_query)
-      query = {dvec3(leave(surface, to_light_[l]).origin), hits_[i].triangle, surface.from_outside};
-    query.anywhere = job_.eye_enclosed || tag.refracted;
-    queue.queries.push_back(query);
+    lit_[i] |= 1u << l;
+    if (!asks) continue;
+    shadow_queues_[l].owners.push_back(i);
+    shadow_queues_[l].rays.push_back(leave(surface, to_light_[l]));
   }
 }
 

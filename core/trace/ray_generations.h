@@ -66,11 +66,11 @@ class RayGenerations {
   const RayCaster<Real>* caster_;
   const Vec3<Real> ambient_, background_;
   std::vector<Vec3<Real>> to_light_, light_color_;  ///< of each light
-  bool asks_buffers_ = false;
+  const bool asks_buffers_;
 
   std::vector<Ray<Real>> rays_;  ///< the queue, newest last
   std::vector<Tag> tags_;
-  std::vector<dvec3> primary_dirs_;  ///< of each pixel of the tile, as seen_point takes them
+  std::vector<dvec3> primary_dirs_;  ///< of each pixel of the tile, as for_each_facing_light takes them
   std::vector<Real> solid_angles_;   ///< of each pixel of the tile; only where the scene has textures
 
   // The batch in work.

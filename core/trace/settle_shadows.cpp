@@ -61,13 +61,12 @@ void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint3
     for (size_t i = begin; i < end; ++i) {
       if (ids[i] == kNoTriangle) continue;
       const dvec3 dir = glm::normalize(job.view.pixel_dir(static_cast<int>(i % width), static_cast<int>(i / width)));
-      SeenPoint seen = seen_point(job.scene, ids[i], job.view.eye, dir);
-      seen.query.anywhere = job.eye_enclosed;
-      for (size_t l = 0; l < lights; ++l) {
-        if (!job.casts_shadow(l) || !seen.faces(job.lights[l].light.toward)) continue;  // no light, or the unlit side
-        chunk_of(l).queries.push_back(seen.query);
+      for_each_facing_light(job.scene, ids[i], job.view.eye, dir, job.lights, [&](size_t l, const ShadowQuery& query) {
+        if (!job.casts_shadow(l)) return;
+        chunk_of(l).queries.push_back(query);
+        chunk_of(l).queries.back().anywhere = job.eye_enclosed;
         chunk_of(l).pixels.push_back(static_cast<uint32_t>(i));
-      }
+      });
     }
     for (size_t l = 0; l < lights; ++l)
       if (job.casts_shadow(l))

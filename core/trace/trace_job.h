@@ -4,6 +4,7 @@
 #include "core/scene/view.h"
 #include "core/trace/light_buffer.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -12,14 +13,15 @@ namespace hybridrt {
 /// A light and what answers its shadow rays.
 struct TracedLight {
   DirectionalLight light;
-  const LightBuffer* buffer = nullptr;  ///< of `light`; null: shadow rays are traced like any other
+  const LightBuffer* buffer = nullptr;  ///< of `light`; null: it casts no shadow, or its shadow rays are traced
 };
 
 /// What the CPU tracer needs to know of a frame. Refers to scene, view and light buffers, which must outlive it.
 struct TraceJob {
   const Scene& scene;
   const View& view;
-  std::vector<TracedLight> lights;  ///< at most HRT_MAX_LIGHTS (shaders/shared.h)
+  std::vector<TracedLight> lights;  ///< at most HRT_MAX_LIGHTS (shaders/shared.h); all that cast shadows have buffers,
+                                    ///< or none has
   bool shadows = true;       ///< shadow rays at the hits of reflected and refracted rays
   int reflection_depth = 4;  ///< generations after the primary one
   vec3 ambient{0.15f};       ///< times Kd
@@ -27,6 +29,10 @@ struct TraceJob {
 
   bool eye_enclosed = false;  ///< see may_be_enclosed
 
+  /// Whether buffers answer the shadow rays; else they are traced like any other.
+  bool has_buffers() const {
+    return std::any_of(lights.begin(), lights.end(), [](const TracedLight& traced) { return traced.buffer; });
+  }
   bool casts_shadow(size_t light) const { return shadows && lights[light].light.casts_shadow; }
 };
 

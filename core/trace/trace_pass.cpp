@@ -6,7 +6,6 @@
 
 #include <bit>
 #include <mutex>
-#include <optional>
 
 namespace hybridrt {
 namespace {
@@ -57,7 +56,12 @@ Surface<float> surface_from(const TraceJob& job, uint32_t triangle, const dvec3&
 class TileTrace {
  public:
   TileTrace(const TraceJob& job, const RayCaster<float>* caster, const TracePixels& pixels)
-      : job_(job), caster_(caster), pixels_(pixels), generations_(job, caster), shadow_queues_(job.lights.size()) {}
+      : job_(job),
+        caster_(caster),
+        pixels_(pixels),
+        generations_(job, caster),
+        asks_buffers_(job.has_buffers()),
+        shadow_queues_(job.lights.size()) {}
 
   void run(const Tile& tile, TraceStats& stats) {
     std::vector<vec3> colors(pixels_.traced.empty() ? 0 : tile.pixel_count());
@@ -128,26 +132,26 @@ class TileTrace {
   }
 
   void ask_lights(unsigned asked, size_t index, uint32_t triangle, const dvec3& dir) {
-    std::optional<SeenPoint> seen;          // as buffers are asked
-    std::optional<Surface<float>> surface;  // as rays leave it
-    for (size_t l = 0; l < job_.lights.size(); ++l) {
-      if (!(asked >> l & 1)) continue;
-      ShadowQueue<float>& queue = shadow_queues_[l];
-      if (job_.lights[l].buffer) {
-        if (!seen) {
-          seen = seen_point(job_.scene, triangle, job_.view.eye, dir);
-          seen->query.anywhere = job_.eye_enclosed;
-        }
-        if (!seen->faces(job_.lights[l].light.toward)) continue;  // the unlit side needs no ray
-        queue.queries.push_back(seen->query);
-      } else {
-        if (!surface)
-          surface = surface_from(job_, triangle, seen_barycentrics(job_.scene, triangle, job_.view.eye, dir), dir);
-        const vec3 to_light(job_.lights[l].light.toward);
-        if (glm::dot(surface->side, to_light) <= 0) continue;
-        queue.rays.push_back(leave(*surface, to_light));
-      }
-      queue.owners.push_back(index);
+    if (asks_buffers_)
+      for_each_facing_light(job_.scene, triangle, job_.view.eye, dir, job_.lights,
+                            [&](size_t l, const ShadowQuery& query) {
+                              if (!(asked >> l & 1)) return;
+                              shadow_queues_[l].queries.push_back(query);
+                              shadow_queues_[l].queries.back().anywhere = job_.eye_enclosed;
+                              shadow_queues_[l].owners.push_back(index);
+                            });
+    else
+      ask_lights_by_rays(asked, index, triangle, dir);
+  }
+
+  void ask_lights_by_rays(unsigned asked, size_t index, uint32_t triangle, const dvec3& dir) {
+    const Surface<float> surface =
+        surface_from(job_, triangle, seen_barycentrics(job_.scene, triangle, job_.view.eye, dir), dir);
+    for (size_t l = 0; l < shadow_queues_.size(); ++l) {
+      const vec3 to_light(job_.lights[l].light.toward);
+      if (!(asked >> l & 1) || glm::dot(surface.side, to_light) <= 0) continue;  // the unlit side needs no ray
+      shadow_queues_[l].rays.push_back(leave(surface, to_light));
+      shadow_queues_[l].owners.push_back(index);
     }
   }
 
@@ -166,6 +170,7 @@ class TileTrace {
   const RayCaster<float>* caster_;
   const TracePixels& pixels_;
   RayGenerations<float> generations_;
+  const bool asks_buffers_;
   std::vector<ShadowQueue<float>> shadow_queues_;  ///< of each light; owners are pixels
 };
 
