@@ -22,8 +22,9 @@ const gl::Context& require_size(const gl::Context& context, const RenderSettings
 void mark_repaired(FrameSlot& slot) {
   const auto* rasterised = static_cast<const uint32_t*>(slot.ids_readback.data());
   const size_t pixel_count = slot.repaired_ids.size();
-  for (size_t i = 0; i < slot.settled_mask.size(); ++i)
-    if (slot.repaired_ids[i % pixel_count] != rasterised[i % pixel_count]) slot.settled_mask[i] |= HRT_MASK_REPAIRED;
+  for (size_t first = 0; first < slot.settled_mask.size(); first += pixel_count)
+    for (size_t i = 0; i < pixel_count; ++i)
+      if (slot.repaired_ids[i] != rasterised[i]) slot.settled_mask[first + i] |= HRT_MASK_REPAIRED;
 }
 
 bool uses_shadow_map(const RenderSettings& s) {
