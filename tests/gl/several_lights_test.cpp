@@ -113,6 +113,18 @@ TEST_P(SeveralLights, FramesInFlightAndKeptStructuresChangeNoBit) {
   }
 }
 
+TEST_P(SeveralLights, MapsAndBuffersAreKeptWhileTheyStandStill) {
+  job_.motion.sequence = {1, 3, 1};
+  job_.frames.ranges = {{1, 3, 1}};
+  job_.lights.lights = {{glm::normalize(dvec3(1, 1, 0)), vec3(0.4f)},
+                        {glm::normalize(dvec3(-0.3, 1, 1)), vec3(0.3f)},
+                        {glm::normalize(dvec3(0.2, 0.4, -1)), vec3(0.3f)}};
+  const std::vector<Frame> frames = render_all(job_);
+  const bool has_structures = GetParam().shadows != ShadowMode::none && GetParam().method != Method::reference;
+  EXPECT_EQ(frames[0].timings[PassId::shadow_map] > 0, has_structures);
+  for (const int later : {1, 2}) EXPECT_EQ(frames[later].timings[PassId::shadow_map], 0) << later;
+}
+
 INSTANTIATE_TEST_SUITE_P(Modes, SeveralLights,
                          testing::Values(Mode{Method::hybrid, ShadowMode::none}, Mode{Method::hybrid, ShadowMode::map},
                                          Mode{Method::hybrid, ShadowMode::blur},
