@@ -25,9 +25,10 @@ ExitCode inspect(const RenderOptions& options, bool as_json) {
   const SceneFacts facts = make_scene_facts(job.scene);
   const int first = *FrameCursor(job.frames).next();
   found.plan = make_frame_plan(job.scene, facts, frame_request(job, first), job.settings);
-  const bool moves = light_moves(job.light, job.motion);
+  const bool moves = lights_move(job.lights, job.motion);
   found.steps = explain_plan(found.plan, facts, job.settings, job.accel, moves);
-  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel, moves, job.threads, job.frames.count());
+  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel, job.lights.lights.size(), moves,
+                                 job.threads, job.frames.count());
 
   using Handler = nlohmann::ordered_json::error_handler_t;
   fmt::print("{}", as_json ? inspection_json(found).dump(2, ' ', false, Handler::replace) + "\n"

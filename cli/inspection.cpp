@@ -65,6 +65,11 @@ json components_json(const Topology& t) {
 json frame_json(const Inspection& in) {
   const RenderSettings& s = in.job.settings;
   const Camera camera = camera_at(in.job.motion, in.plan.number);
+  json lights = json::array();
+  for (const DirectionalLight& light : in.plan.lights)
+    lights.push_back({{"toward", array_of(light.toward)},
+                      {"color", array_of(light.color)},
+                      {"casts_shadow", light.casts_shadow}});
   json steps = json::array();
   for (const StepNote& note : in.steps)
     steps.push_back({{"step", note.step}, {"runs", name_of(note.runs)}, {"why", note.why}});
@@ -77,7 +82,7 @@ json frame_json(const Inspection& in) {
           {"eye", array_of(camera.eye_world)},
           {"target", array_of(camera.target_world)},
           {"fov_y_deg", camera.fov_y_rad * 180 / kPi},
-          {"light", array_of(in.plan.light.toward)},
+          {"lights", lights},
           {"steps", steps}};
 }
 

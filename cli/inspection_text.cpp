@@ -153,7 +153,10 @@ std::string frame_text(const Inspection& in) {
   out += fmt::format("  {:<22}{}{}\n", "eye", point(camera.eye_world),
                      std::holds_alternative<Orbit>(in.job.motion.course) ? ", on an orbit" : "");
   out += fmt::format("  {:<22}{}\n", "target", point(camera.target_world));
-  out += fmt::format("  {:<22}{}\n", "toward the light", point(in.plan.light.toward));
+  for (const DirectionalLight& light : in.plan.lights)
+    out += fmt::format("  {:<22}{}, colour {}{}\n", "toward the light", point(light.toward), color(light.color),
+                       light.casts_shadow ? "" : ", casts no shadow");
+  if (in.plan.lights.empty()) out += fmt::format("  {:<22}none: ambient light and Ke only\n", "lights");
   for (const StepNote& note : in.steps)
     out += fmt::format("  {:<22}{:<12}{}\n", note.step, name_of(note.runs), note.why);
   return out;

@@ -6,9 +6,14 @@
 
 namespace hybridrt::cli {
 
-/// The light that flags ask for, or else the camera path's, or else `of_scene`, or else one that suits the
-/// surroundings; `job.motion` is already known. Throws Error(usage).
-LightMotion make_light(const RenderOptions& options, const RenderJob& job, UpAxis up_axis,
-                       const std::optional<DirectionalLight>& of_scene, Surroundings surroundings);
+/// The light that flags ask for, in the colour of the first of `of_scene`; or else those `of_scene`, or else one that
+/// suits the surroundings, the first of them where the camera path's keys say. `job.motion` is already known. Throws
+/// Error(usage).
+LightMotion make_lights(const RenderOptions& options, const RenderJob& job, UpAxis up_axis,
+                        const std::optional<std::vector<DirectionalLight>>& of_scene, Surroundings surroundings,
+                        Warnings& warnings);
+
+/// How many make_lights() will make.
+size_t light_count(const RenderOptions& options, const std::optional<std::vector<DirectionalLight>>& of_scene);
 
 }  // namespace hybridrt::cli

@@ -29,8 +29,9 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--up", o.up, "Still camera: which way is up (default 0,1,0)")->type_name("X,Y,Z")->group(camera);
   app.add_option("--fov", o.fov_deg, "Vertical field of view, replaces a camera path's (default 45)")->type_name("DEG")->group(camera);
   app.add_option("--light", o.light, "Direction toward the light, any length (default: from above, left of and "
-                 "behind the first camera); replaces a camera path's")->type_name("X,Y,Z")->group(camera);
-  app.add_option("--light-follows", o.light_follows, "camera: the light keeps its place as seen from the camera "
+                 "behind the first camera); replaces all lights of the scene and a camera path's")
+      ->type_name("X,Y,Z")->group(camera);
+  app.add_option("--light-follows", o.light_follows, "camera: the lights keep their places as seen from the camera "
                  "(turntables)")->type_name("WHAT")->group(camera);
 
   const char* picture = "Picture";

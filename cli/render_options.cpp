@@ -75,17 +75,19 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings,
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
 
   job.most_bytes = parse_max_memory(o.max_memory);
-  require_room_for_frames(job.settings, job.threads, job.frames.count(), job.most_bytes);
+  const auto& lights = scene.lights ? scene.lights : shot.lights;
+  require_room_for_frames(job.settings, light_count(o, lights), job.threads, job.frames.count(), job.most_bytes);
 
   ThreadPool pool(job.threads);
   job.scene = load_scene(o.scene, pool, warnings, up_axis, {job.most_bytes, progress, read_texels});
   require_room_for_scene(o.scene, estimate_memory(job.scene, make_scene_facts(job.scene), job.settings, job.accel,
-                                                  /*light_moves=*/true, job.threads, job.frames.count()).total(),
+                                                  light_count(o, lights), /*light_moves=*/true, job.threads,
+                                                  job.frames.count()).total(),
                          job.most_bytes);
   job.motion.sequence = make_sequence(o, job.frames);
   Surroundings surroundings = Surroundings::outside;
   job.motion.course = make_course(o, job, up, surroundings, pool, warnings);
-  job.light = make_light(o, job, up, scene.light ? scene.light : shot.light, surroundings);
+  job.lights = make_lights(o, job, up, lights, surroundings, warnings);
   return job;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -73,7 +74,10 @@ std::string summary_table(const RenderJob& job, const RunTotals& totals) {
   const int64_t primary = totals.frames * picture.width_px * picture.height_px;
   out += fmt::format("{:<26} {:>12} {:>12}\n", "rays", "fired", "saved");
   out += fmt::format("{:<26} {:>12} {:>12}\n", "primary", rays(rasterised ? 0 : primary), rays(rasterised ? primary : 0));
-  const int64_t receivers_untraced = std::max<int64_t>(0, s.pixels_hit - s.primary_shadow_rays);
+  const auto& lights = job.lights.lights;
+  const auto casts = [](const DirectionalLight& light) { return light.casts_shadow; };
+  const int64_t casting = std::count_if(lights.begin(), lights.end(), casts);
+  const int64_t receivers_untraced = std::max<int64_t>(0, casting * s.pixels_hit - s.primary_shadow_rays);
   out += fmt::format("{:<26} {:>12} {:>12}\n", "shadow, seen directly", rays(s.primary_shadow_rays),
                      rays(job.settings.shadows == ShadowMode::none ? 0 : receivers_untraced));
   out += fmt::format("{:<26} {:>12}\n", "shadow, in reflections", rays(s.shadow_rays - s.primary_shadow_rays));

@@ -4,19 +4,20 @@
 #include "shared.h"
 layout(local_size_x = HRT_GROUP_PX, local_size_y = HRT_GROUP_PX) in;
 
-layout(binding = HRT_UNIT_MASK) uniform usampler2D mask;
+layout(binding = HRT_UNIT_MASK) uniform usampler2DArray mask;  // a layer a light
 layout(binding = HRT_IMAGE_OUT, rg8ui) uniform writeonly uimage2D row_sums;
 uniform int radius_px;
+uniform int layer;
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 size = textureSize(mask, 0);
+  ivec2 size = textureSize(mask, 0).xy;
   if (any(greaterThanEqual(pixel, size))) return;
   uint lit = 0;
   uint receivers = 0;
   int last = min(pixel.x + radius_px, size.x - 1);
   for (int x = max(pixel.x - radius_px, 0); x <= last; ++x) {
-    uint value = texelFetch(mask, ivec2(x, pixel.y), 0).r;
+    uint value = texelFetch(mask, ivec3(x, pixel.y, layer), 0).r;
     lit += value & HRT_MASK_LIT;
     receivers += value == HRT_MASK_NO_RECEIVER ? 0u : 1u;
   }

@@ -1,11 +1,13 @@
-// Pass 5: ambient + shadow * (diffuse + specular) + what pass 4 traced, once a pixel from its id.
+// Pass 5: ambient + each light's shadow * (diffuse + specular) + what pass 4 traced, once a pixel from its id.
 // HRT_TEXTURED: some materials have maps.
+// HRT_LIGHT_COUNT: how many lights there are; ShadePass writes it.
 #include "scene.glsl"
+#include "light_count.glsl"
 #ifdef HRT_TEXTURED
 #include "texture_words.glsl"
 #endif
 
-layout(binding = HRT_UNIT_MASK) uniform usampler2D mask;  // HRT_MASK_LIT counts
+layout(binding = HRT_UNIT_MASK) uniform usampler2DArray mask;  // a layer a light; HRT_MASK_LIT counts
 layout(binding = HRT_UNIT_TRACED) uniform sampler2D traced;
 layout(binding = HRT_UNIT_NORMALS) uniform samplerBuffer normals;
 layout(binding = HRT_UNIT_TRIANGLE_NORMALS) uniform usamplerBuffer triangle_normals;
@@ -13,10 +15,10 @@ layout(binding = HRT_UNIT_TRIANGLE_MATERIALS) uniform usamplerBuffer triangle_ma
 layout(binding = HRT_UNIT_MATERIALS) uniform samplerBuffer materials;
 layout(binding = HRT_IMAGE_OUT, rgba32f) uniform writeonly image2D picture;
 
-uniform int use_mask;    // 0: no shadows at all
 uniform int use_traced;  // 0: no ray of pass 4 adds light
-uniform vec3 to_light;
-uniform vec3 light;
+uniform int masked_lights;  // bit i: light i casts shadows, layer i of the mask says where
+uniform vec3 to_light[HRT_MAX_LIGHTS];
+uniform vec3 light[HRT_MAX_LIGHTS];
 uniform vec3 ambient;
 uniform vec3 background;
 
@@ -31,7 +33,7 @@ vec3 shading_normal(uint id, vec3 weights, vec3 side) {
 layout(binding = HRT_UNIT_TEXCOORDS) uniform samplerBuffer texcoords;
 layout(binding = HRT_UNIT_TRIANGLE_TEXCOORDS) uniform usamplerBuffer triangle_texcoords;
 
-uniform float pixel_area;  // where its direction's component along the camera's axis is 1
+uniform float sample_area;  // where its direction's component along the camera's axis is 1
 
 void apply_textures(uint maps, uint id, Triangle t, vec3 weights, vec3 dir, inout vec3 kd, inout vec3 ks,
                     inout vec3 ke) {
@@ -42,21 +44,23 @@ void apply_textures(uint maps, uint id, Triangle t, vec3 weights, vec3 dir, inou
   vec2 uv = weights.x * t0 + weights.y * t1 + weights.z * t2;
   float distance_along = length(weights.x * t.p0 + weights.y * t.p1 + weights.z * t.p2);
   float footprint = pixel_footprint(t.p1 - t.p0, t.p2 - t.p0, t1 - t0, t2 - t0, normalize(dir),
-                                    pixel_solid_angle(dir, pixel_area), distance_along);
+                                    sample_solid_angle(dir, sample_area), distance_along);
   kd = mapped_color(maps, HRT_MAP_DIFFUSE, kd, uv, footprint);
   ks = mapped_color(maps, HRT_MAP_SPECULAR, ks, uv, footprint);
   ke = mapped_color(maps, HRT_MAP_EMITTED, ke, uv, footprint);
 }
 #endif
 
+bool arrives(int i, ivec2 pixel, vec3 side) {
+  if (dot(side, to_light[i]) <= 0.0) return false;  // seen from its unlit side: in shadow
+  return (masked_lights >> i & 1) == 0 || (texelFetch(mask, ivec3(pixel, i), 0).r & HRT_MASK_LIT) != 0u;
+}
+
 vec3 shaded(ivec2 pixel, uint id) {
   vec3 dir = pixel_ray(pixel);
   Triangle t = fetch_triangle(id);
   vec3 weights = clamped_barycentrics(t.p0, t.p1, t.p2, dir);
   vec3 side = geometric_normal(t, dir);
-  float lit = dot(side, to_light) <= 0.0 ? 0.0 : 1.0;  // seen from its unlit side: in shadow
-  if (use_mask != 0 && (texelFetch(mask, pixel, 0).r & HRT_MASK_LIT) == 0u) lit = 0.0;
-
   int material = int(texelFetch(triangle_materials, int(id)).r) * HRT_MATERIAL_TEXELS;
   vec4 kd_ns = texelFetch(materials, material);
   vec4 ks_opacity = texelFetch(materials, material + 1);
@@ -67,8 +71,11 @@ vec3 shaded(ivec2 pixel, uint id) {
 #ifdef HRT_TEXTURED
   if (ke_maps.a != 0.0) apply_textures(uint(ke_maps.a), id, t, weights, dir, kd, ks, ke);
 #endif
-  vec3 color = phong(kd, ks, ke, kd_ns.a, ks_opacity.a, shading_normal(id, weights, side),
-                     normalize(-dir), to_light, ambient, light, lit);
+  vec3 normal = shading_normal(id, weights, side);
+  vec3 color = phong_unlit(kd, ke, ks_opacity.a, ambient);
+  for (int i = 0; i < HRT_LIGHT_COUNT; ++i)
+    if (arrives(i, pixel, side))
+      color += phong_light(kd, ks, kd_ns.a, ks_opacity.a, normal, normalize(-dir), to_light[i], light[i]);
   return use_traced != 0 ? color + texelFetch(traced, pixel, 0).rgb : color;
 }
 

@@ -8,7 +8,10 @@
 // Id buffer: the triangle seen at a pixel's centre, or this.
 #define HRT_NO_TRIANGLE 0xFFFFFFFFu
 
-// Shadow mask, one byte a pixel. Pass 2 writes LIT or nothing (shadow), or NO_RECEIVER; pass 3 adds MARKED
+// Lights of a scene, at most.
+#define HRT_MAX_LIGHTS 8
+
+// Shadow mask, one byte a pixel and light. Pass 2 writes LIT or nothing (shadow), or NO_RECEIVER; pass 3 adds MARKED
 // where the blurred mask is neither fully lit nor fully dark.
 #define HRT_MASK_LIT 1u
 #define HRT_MASK_MARKED 2u

@@ -28,14 +28,15 @@ HRT_FN Vec3 normalized_or(Vec3 v, Vec3 otherwise) {
   return squared > Real(0) ? v / sqrt(squared) : otherwise;
 }
 
-// Emission + ambient light + one directional light by Blinn and Phong, with the paper's half vector
-// (pass 5). `normal`, `to_eye`, `to_light` unit; `lit` is 0 in shadow, 1 in light; `opacity` is MTL's d.
-HRT_FN Vec3 phong(Vec3 kd, Vec3 ks, Vec3 ke, Real ns, Real opacity, Vec3 normal, Vec3 to_eye, Vec3 to_light,
-                  Vec3 ambient, Vec3 light, Real lit) {
-  Vec3 color = ke + opacity * ambient * kd;
+// What a surface shows in shadow: emission + ambient light. `opacity` is MTL's d.
+HRT_FN Vec3 phong_unlit(Vec3 kd, Vec3 ke, Real opacity, Vec3 ambient) { return ke + opacity * ambient * kd; }
+
+// What one directional light that arrives adds to it, by Blinn and Phong, with the paper's half vector (pass 5).
+// `normal`, `to_eye`, `to_light` unit.
+HRT_FN Vec3 phong_light(Vec3 kd, Vec3 ks, Real ns, Real opacity, Vec3 normal, Vec3 to_eye, Vec3 to_light, Vec3 light) {
   Real cos_light = dot(normal, to_light);
-  if (cos_light <= Real(0)) return color;
+  if (cos_light <= Real(0)) return Vec3(Real(0));
   Vec3 halfway = normalized_or(to_light + to_eye, normal);
   Real highlight = ns > Real(0) ? pow(max(dot(normal, halfway), Real(0)), ns) : Real(1);
-  return color + lit * light * (opacity * cos_light * kd + highlight * ks);
+  return light * (opacity * cos_light * kd + highlight * ks);
 }

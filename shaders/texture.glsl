@@ -62,11 +62,11 @@ HRT_FN Real pixel_footprint(Vec3 e1, Vec3 e2, Vec2 t1, Vec2 t2, Vec3 dir, Real s
   return facing > Real(0) ? min(area * solid_angle * (distance_along / facing * distance_along), largest) : largest;
 }
 
-// The solid angle of the pixel that is seen along `dir`, whose component along the camera's axis is 1: `pixel_area` is
-// its area where that axis has gone 1.
-HRT_FN Real pixel_solid_angle(Vec3 dir, Real pixel_area) {
+// The solid angle that a sample stands for, a pixel's or its share of one, seen along `dir`, whose component along the
+// camera's axis is 1. `sample_area` is its area where that axis has gone 1.
+HRT_FN Real sample_solid_angle(Vec3 dir, Real sample_area) {
   Real squared = dot(dir, dir);
-  return pixel_area / (squared * sqrt(squared));
+  return sample_area / (squared * sqrt(squared));
 }
 
 // The texture of a record at `uv`, trilinear: between the two mip levels around 0.5 log2(texels that a pixel covers).

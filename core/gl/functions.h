@@ -10,8 +10,9 @@
   X(ENABLE, Enable) X(DISABLE, Disable) X(DEPTHFUNC, DepthFunc) X(DEPTHMASK, DepthMask)            \
   X(VIEWPORT, Viewport) X(CLIPCONTROL, ClipControl) X(PIXELSTOREI, PixelStorei)                    \
   X(CREATETEXTURES, CreateTextures) X(DELETETEXTURES, DeleteTextures)                              \
-  X(TEXTURESTORAGE2D, TextureStorage2D) X(TEXTUREPARAMETERI, TextureParameteri)                    \
-  X(TEXTURESUBIMAGE2D, TextureSubImage2D) X(TEXTUREBUFFER, TextureBuffer)                          \
+  X(TEXTURESTORAGE2D, TextureStorage2D) X(TEXTURESTORAGE3D, TextureStorage3D)                      \
+  X(TEXTUREPARAMETERI, TextureParameteri) X(TEXTUREBUFFER, TextureBuffer)                          \
+  X(TEXTURESUBIMAGE2D, TextureSubImage2D) X(TEXTURESUBIMAGE3D, TextureSubImage3D)                  \
   X(BINDTEXTUREUNIT, BindTextureUnit) X(BINDIMAGETEXTURE, BindImageTexture)                        \
   X(GETTEXTUREIMAGE, GetTextureImage)                                                              \
   X(CREATEBUFFERS, CreateBuffers) X(DELETEBUFFERS, DeleteBuffers) X(BINDBUFFER, BindBuffer)        \

@@ -18,16 +18,29 @@ void set_label(const Functions& gl, GLenum kind, GLuint id, const std::string& l
   gl.ObjectLabel(kind, id, static_cast<GLsizei>(label.size()), label.c_str());
 }
 
+void sample_nearest(const Functions& gl, GLuint texture) {
+  gl.TextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.TextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
 }  // namespace
 
 Texture::Texture(const Functions& gl, GLenum internal_format, int width_px, int height_px, const std::string& label)
     : Handle(gl, create(gl.CreateTextures, GL_TEXTURE_2D)) {
   set_label(gl, GL_TEXTURE, id_, label);
   gl.TextureStorage2D(id_, 1, internal_format, width_px, height_px);
-  gl.TextureParameteri(id_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TextureParameteri(id_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TextureParameteri(id_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TextureParameteri(id_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  sample_nearest(gl, id_);
+  throw_on_error(gl, ("creating " + label).c_str());
+}
+
+TextureArray::TextureArray(const Functions& gl, GLenum internal_format, int width_px, int height_px, size_t layers,
+                           const std::string& label)
+    : Handle(gl, create(gl.CreateTextures, GL_TEXTURE_2D_ARRAY)) {
+  set_label(gl, GL_TEXTURE, id_, label);
+  gl.TextureStorage3D(id_, 1, internal_format, width_px, height_px, static_cast<GLsizei>(std::max<size_t>(layers, 1)));
+  sample_nearest(gl, id_);
   throw_on_error(gl, ("creating " + label).c_str());
 }
 

@@ -31,11 +31,21 @@ class Handle {
   GLuint id_ = 0;
 };
 
+using TextureName = Handle<&Functions::DeleteTextures>;
+
 /// Immutable 2-D storage of one mip level, sampled with texelFetch (nearest, clamped). `label` shows up
 /// in debuggers.
-struct Texture : Handle<&Functions::DeleteTextures> {
+struct Texture : TextureName {
   Texture() = default;
   Texture(const Functions& gl, GLenum internal_format, int width_px, int height_px, const std::string& label);
+};
+
+/// Several of the same size, one behind the other.
+struct TextureArray : TextureName {
+  TextureArray() = default;
+  /// With at least one layer, even if none is asked for.
+  TextureArray(const Functions& gl, GLenum internal_format, int width_px, int height_px, size_t layers,
+               const std::string& label);
 };
 
 /// Immutable storage; `data` may be null. `flags` as glNamedBufferStorage takes them.
@@ -47,7 +57,7 @@ struct Buffer : Handle<&Functions::DeleteBuffers> {
 
 /// A buffer seen as a one-dimensional texture of `internal_format` (texelFetch on a samplerBuffer).
 /// The buffer must outlive it.
-struct BufferTexture : Handle<&Functions::DeleteTextures> {
+struct BufferTexture : TextureName {
   BufferTexture() = default;
   BufferTexture(const Functions& gl, const Buffer& buffer, GLenum internal_format, const std::string& label);
 };

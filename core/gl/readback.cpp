@@ -27,7 +27,7 @@ Readback::Readback(const Functions& gl, size_t bytes, const std::string& label)
   if (!mapped_) throw error(ErrorKind::device, "{}: the driver cannot map a readback buffer of {} bytes", label, bytes);
 }
 
-void Readback::start(const Texture& texture, GLenum format, GLenum type) {
+void Readback::start(const TextureName& texture, GLenum format, GLenum type) {
   const Functions& gl = *gl_;
   gl.ClearNamedBufferSubData(buffer_.id(), GL_R8UI, 0, static_cast<GLsizeiptr>(buffer_.size_bytes), GL_RED_INTEGER,
                              GL_UNSIGNED_BYTE, &kSentinel);

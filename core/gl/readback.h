@@ -14,8 +14,8 @@ class Readback {
   /// `bytes`: size of the whole picture as it will be read.
   Readback(const Functions& gl, size_t bytes, const std::string& label);
 
-  /// Queues the copy of mip level 0, rows tightly packed.
-  void start(const Texture& texture, GLenum format, GLenum type);
+  /// Queues the copy of mip level 0, rows tightly packed, layer after layer.
+  void start(const TextureName& texture, GLenum format, GLenum type);
 
   /// Waits until the pixels are there. Throws Error(device) when the driver has not written them: a limit
   /// that is passed silently must not become a black frame.

@@ -45,7 +45,7 @@ void ShadowTestPass::run(const In& in, const Out& out) const {
   in.scene.bind_geometry(gl);
   gl.BindTextureUnit(HRT_UNIT_IDS, in.ids.id());
   gl.BindTextureUnit(HRT_UNIT_SHADOW_MAP, in.shadow_map.id());
-  gl.BindImageTexture(HRT_IMAGE_OUT, out.mask.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R8UI);
+  gl.BindImageTexture(HRT_IMAGE_OUT, out.mask.id(), 0, GL_FALSE, out.layer, GL_WRITE_ONLY, GL_R8UI);
 
   program_.use();
   set_view_uniforms(program_, in.view);

@@ -39,7 +39,8 @@ struct ShadowTestPass {
     int shadow_map_size_px;
   };
   struct Out {
-    const gl::Texture& mask;  ///< R8UI, HRT_MASK_* bits (shaders/shared.h)
+    const gl::TextureName& mask;  ///< R8UI, HRT_MASK_* bits (shaders/shared.h)
+    int layer = 0;                ///< of it, that is written
   };
   void run(const In& in, const Out& out) const;
 

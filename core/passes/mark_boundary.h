@@ -10,13 +10,14 @@ struct MarkBoundaryPass {
   MarkBoundaryPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
 
   struct In {
-    const gl::Texture& mask;  ///< R8UI, from pass 2
+    const gl::TextureArray& mask;  ///< R8UI, from pass 2
     int width_px, height_px;
-    int kernel_px;            ///< odd, 1..31
+    int kernel_px;                 ///< odd, 1..31
+    int layer = 0;                 ///< of both masks
   };
   struct Out {
-    const gl::Texture& row_sums;     ///< RG8UI scratch
-    const gl::Texture& marked_mask;  ///< R8UI, `mask` with HRT_MASK_MARKED added
+    const gl::Texture& row_sums;          ///< RG8UI scratch
+    const gl::TextureArray& marked_mask;  ///< R8UI, `mask` with HRT_MASK_MARKED added
   };
   void run(const In& in, const Out& out) const;
 

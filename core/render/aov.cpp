@@ -27,6 +27,22 @@ vec3 hashed_color(uint32_t h) {
   return vec3(0.15f) + 0.85f / 255 * vec3(h & 255, (h >> 8) & 255, (h >> 16) & 255);
 }
 
+/// Of pixel `i`; 0 where nothing is known.
+float arriving_share(const AovSource& source, size_t i) {
+  const std::span<const uint8_t> masks = source.lit.empty() ? source.mask : source.lit;
+  if (masks.empty()) return 0;
+  const size_t pixel_count = masks.size() / source.lights.size();
+  const bool any_casts = std::any_of(source.lights.begin(), source.lights.end(),
+                                     [](const DirectionalLight& light) { return light.casts_shadow; });
+  int lights = 0, arriving = 0;
+  for (size_t l = 0; l < source.lights.size(); ++l) {
+    if (any_casts && !source.lights[l].casts_shadow) continue;
+    ++lights;
+    arriving += (masks[l * pixel_count + i] & HRT_MASK_LIT) != 0;
+  }
+  return static_cast<float>(arriving) / static_cast<float>(lights);
+}
+
 Surface<double> surface_of(const Scene& scene, const View& view, uint32_t triangle, int x, int y) {
   const dvec3 dir = view.pixel_dir(x, y);
   const dvec3 weights = clamped_barycentrics(dvec3(scene.vertex(triangle, 0)) - view.eye,
@@ -40,9 +56,7 @@ Surface<double> surface_of(const Scene& scene, const View& view, uint32_t triang
 std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept,
                                   const AovSource& source, uint32_t aovs) {
   const auto id = [&](size_t i) { return source.ids.empty() ? kNoTriangle : source.ids[i]; };
-  const auto bit = [](std::span<const uint8_t> mask, size_t i, int which) {
-    return !mask.empty() && (mask[i] & which) ? 1.0f : 0.0f;
-  };
+  const size_t pixel_count = static_cast<size_t>(view.width_px) * view.height_px;
   std::vector<ImageLayer> layers;
   // One value a pixel, or three.
   const auto add_values = [&](const char* name, const auto& value_of) {
@@ -62,14 +76,15 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
     for_each_kept(view, kept, [&](size_t i, int, int) { layer.numbers.push_back(id(i)); });
   }
   if (aovs & kAovShadow)
-    add_values("shadow", [&](size_t i, int, int) {
-      return bit(source.lit.empty() ? source.mask : source.lit, i, HRT_MASK_LIT);
-    });
+    add_values("shadow", [&](size_t i, int, int) { return arriving_share(source, i); });
   if (aovs & kAovMarked)
     add_values("marked", [&](size_t i, int, int) {
-      if (bit(source.mask, i, HRT_MASK_REPAIRED)) return float{kMarkedRepaired};
-      if (!bit(source.mask, i, HRT_MASK_MARKED)) return float{kNotMarked};
-      return bit(source.mask, i, HRT_MASK_INSIDE) ? float{kMarkedInside} : float{kMarkedBoundary};
+      unsigned bits = 0;
+      for (size_t at = i; at < source.mask.size(); at += pixel_count)
+        if (source.lights[at / pixel_count].casts_shadow) bits |= source.mask[at];
+      if (bits & HRT_MASK_REPAIRED) return float{kMarkedRepaired};
+      if (!(bits & HRT_MASK_MARKED)) return float{kNotMarked};
+      return bits & HRT_MASK_INSIDE ? float{kMarkedInside} : float{kMarkedBoundary};
     });
   if (aovs & kAovTraced)
     add_vectors("traced", {"R", "G", "B"},

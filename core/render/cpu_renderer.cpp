@@ -1,7 +1,7 @@
 #include "core/render/cpu_renderer.h"
 
 #include "core/render/aov.h"
-#include "core/render/kept_light_buffer.h"
+#include "core/render/kept_light_buffers.h"
 #include "core/trace/trace_pass.h"
 
 namespace hybridrt {
@@ -14,20 +14,17 @@ void render_on_cpu(const Scene& scene, const RenderSettings& settings, const Ray
   const size_t pixels = static_cast<size_t>(part.width_px) * part.height_px;
   std::vector<vec4> picture(pixels);
   std::vector<uint32_t> ids(pixels);
-  std::vector<uint8_t> lit(pixels);
+  std::vector<uint8_t> lit;
 
-  KeptLightBuffer light_buffer(scene, pool);
+  KeptLightBuffers light_buffers(scene, pool);
   Stopwatch since_last_frame;
   while (const std::optional<FrameRequest> request = next()) {
     const FramePlan plan = make_frame_plan(scene, facts, *request, settings);
-    TraceJob job{scene, plan.view, plan.light, plan.shadows, settings.reflection_depth,
-                       settings.ambient, settings.background};
+    TraceJob job = make_trace_job(scene, plan, settings);
     Frame frame;
     frame.number = plan.number;
-    if (plan.light_buffer) {
-      job.light_buffer = &light_buffer.toward(plan.light.toward, frame.timings[PassId::shadow_map]);
-      job.eye_enclosed = may_be_enclosed(*job.light_buffer, plan.view.eye);
-    }
+    if (plan.light_buffers) frame.timings[PassId::shadow_map] = light_buffers.answer(job);
+    lit.resize(plan.lights.size() * pixels);
     const Stopwatch tracing;
     frame.stats = trace_frame(job, caster, pool, TracedFrame<Real>{picture, ids, lit});
     frame.timings[PassId::trace] = tracing.elapsed_ms();
@@ -35,7 +32,7 @@ void render_on_cpu(const Scene& scene, const RenderSettings& settings, const Ray
     const Stopwatch unpacking;
     frame.picture = picture_from_rgba(picture.data(), part.width_px, part.height_px, kept, frame.stats.pixels_hit);
     frame.timings[PassId::download] = unpacking.elapsed_ms();
-    frame.aovs = make_aovs(scene, plan.view, kept, {ids, {}, lit, {}}, settings.aovs);
+    frame.aovs = make_aovs(scene, plan.view, kept, {plan.lights, ids, {}, lit, {}}, settings.aovs);
     frame.timings.wall_ms = since_last_frame.elapsed_ms();
     since_last_frame.restart();
     deliver(std::move(frame));

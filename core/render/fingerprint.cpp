@@ -72,10 +72,15 @@ uint64_t fingerprint(const Scene& scene) {
 uint64_t fingerprint(uint64_t scene, const FrameRequest& request, const RenderSettings& s) {
   Hasher hash{scene};
   const Camera& c = request.camera;
-  for (const dvec3& v : {c.eye_world, c.target_world, c.up, request.light.toward}) hash.vector(v);
+  for (const dvec3& v : {c.eye_world, c.target_world, c.up}) hash.vector(v);
   hash.value(c.fov_y_rad);
-  for (const vec3& color : {request.light.color, s.ambient, s.background}) hash.vector(color);
-  hash.word(request.light.casts_shadow);
+  hash.word(request.lights.size());
+  for (const DirectionalLight& light : request.lights) {
+    hash.vector(light.toward);
+    hash.vector(light.color);
+    hash.word(light.casts_shadow);
+  }
+  for (const vec3& color : {s.ambient, s.background}) hash.vector(color);
   for (int x : {s.width_px, s.height_px, static_cast<int>(s.method), static_cast<int>(s.shadows), s.blur_kernel_px,
                 s.shadow_map_px, s.reflection_depth, s.samples})
     hash.word(static_cast<uint64_t>(x));

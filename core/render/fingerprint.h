@@ -9,7 +9,7 @@ namespace hybridrt {
 /// A 64-bit number that changes when anything in the scene changes that decides pixels. Not cryptographic.
 uint64_t fingerprint(const Scene& scene);
 
-/// The same for a frame's camera, light and settings on top of a scene's fingerprint.
+/// The same for a frame's camera, lights and settings on top of a scene's fingerprint.
 uint64_t fingerprint(uint64_t scene, const FrameRequest& request, const RenderSettings& settings);
 
 }  // namespace hybridrt

@@ -6,6 +6,12 @@
 
 namespace hybridrt {
 
+TraceJob make_trace_job(const Scene& scene, const FramePlan& plan, const RenderSettings& settings) {
+  TraceJob job{scene, plan.view, {}, plan.shadows, settings.reflection_depth, settings.ambient, settings.background};
+  for (const DirectionalLight& light : plan.lights) job.lights.push_back({light});
+  return job;
+}
+
 Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const PixelRect& kept, int64_t& pixels_hit) {
   const auto unwritten = [](const vec4& pixel) { return pixel.a != 1.0f && pixel.a != 0.0f; };
   const size_t count = static_cast<size_t>(width_px) * height_px;

@@ -21,6 +21,9 @@ struct Frame {
   TraceStats stats;
 };
 
+/// What pass 4, or all passes on the CPU, need to know of a frame, but for its light buffers. Refers to scene and plan.
+TraceJob make_trace_job(const Scene& scene, const FramePlan& plan, const RenderSettings& settings);
+
 /// Where frames come from (nothing: the sequence is over) and where they go, in order.
 using NextFrame = std::function<std::optional<FrameRequest>()>;
 using DeliverFrame = std::function<void(Frame&&)>;

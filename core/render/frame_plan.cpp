@@ -1,5 +1,7 @@
 #include "core/render/frame_plan.h"
 
+#include <algorithm>
+
 namespace hybridrt {
 
 SceneFacts make_scene_facts(const Scene& scene) {
@@ -36,12 +38,15 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.view = part_of(make_view(request.camera, scene.origin_world, settings.width_px, settings.height_px), part.x_px,
                       part.y_px, part.width_px, part.height_px);
   plan.view.sample_px = request.sample_offset_px;
-  plan.light = request.light;
+  plan.view.samples = settings.samples;
+  plan.lights = request.lights;
   const double size = glm::length(dvec3(facts.bounds.extent()));
   plan.near_distance = 1e-5 * std::max(size, 1e-30);
 
   const bool hybrid = settings.method == Method::hybrid;
-  const ShadowMode shadows = request.light.casts_shadow ? settings.shadows : ShadowMode::none;
+  const auto casts = [](const DirectionalLight& light) { return light.casts_shadow; };
+  const bool any_casts = std::any_of(plan.lights.begin(), plan.lights.end(), casts);
+  const ShadowMode shadows = any_casts ? settings.shadows : ShadowMode::none;
   plan.shadows = shadows != ShadowMode::none;
   plan.shadow_map = shadows == ShadowMode::map || shadows == ShadowMode::blur;
   plan.mark = shadows == ShadowMode::blur;
@@ -51,9 +56,9 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.repair = hybrid && (settings.shadows == ShadowMode::exact || settings.shadows == ShadowMode::rays);
   plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
 
-  // A light buffer is worth building for a few rays only if the next frames can use it too.
+  // Light buffers are worth building for a few rays only if the next frames can use them too.
   const bool asks_light = plan.trace() || settings.method == Method::raytrace;
-  plan.light_buffer =
+  plan.light_buffers =
       plan.shadows && asks_light && (plan.settle || shadows == ShadowMode::rays || !request.light_moves);
 
   const uint32_t from_ids = kAovId | kAovDepth | kAovNormal;

@@ -11,9 +11,9 @@ namespace hybridrt {
 struct FrameRequest {
   int number = 1;
   Camera camera;
-  DirectionalLight light;
-  bool light_moves = false;  ///< from frame to frame
-  dvec2 sample_offset_px{0};  ///< see View::sample_px
+  std::vector<DirectionalLight> lights;  ///< at most HRT_MAX_LIGHTS (shaders/shared.h)
+  bool light_moves = false;              ///< one of them, from frame to frame
+  dvec2 sample_offset_px{0};             ///< see View::sample_px
 };
 
 /// Facts about a scene that plans need; made once.
@@ -29,8 +29,9 @@ struct FramePlan {
   int number = 1;
   View view;
   double near_distance = 0;  ///< nearer surfaces are cut away by pass 2
-  DirectionalLight light;
+  std::vector<DirectionalLight> lights;
 
+  // What one light that casts shadows needs, all of those get.
   bool shadows = false;          ///< at all, in mirrors too
   bool shadow_map = false;       ///< pass 1 and the shadow test of pass 2
   bool mark = false;             ///< pass 3 by blurring, on the GPU
@@ -38,9 +39,10 @@ struct FramePlan {
   bool repair = false;           ///< pass 4 first settles which triangle is seen where the raster may be wrong
   bool trace_shadows = false;    ///< pass 4 decides which pixels are lit
   bool trace_scattered = false;  ///< pass 4 follows reflected and refracted rays
-  bool light_buffer = false;     ///< answers all shadow rays; else they are traced
+  bool light_buffers = false;    ///< answer all shadow rays; else they are traced
   bool read_ids = false, read_mask = false;  ///< readback
 
+  bool casts_shadow(size_t light) const { return shadows && lights[light].casts_shadow; }
   bool trace() const { return trace_shadows || trace_scattered || repair; }
 };
 

@@ -9,17 +9,17 @@ size_t pixel_count(const RenderSettings& s) { return static_cast<size_t>(width(s
 
 }  // namespace
 
-FrameSlot::FrameSlot(const gl::Functions& gl, const RenderSettings& s, const gl::Texture& depth)
+FrameSlot::FrameSlot(const gl::Functions& gl, const RenderSettings& s, size_t light_count, const gl::Texture& depth)
     : ids(gl, GL_R32UI, width(s), height(s), "ids"),
-      mask(gl, GL_R8UI, width(s), height(s), "shadow mask"),
-      lit(gl, GL_R8UI, width(s), height(s), "lit"),
+      mask(gl, GL_R8UI, width(s), height(s), light_count, "shadow mask"),
+      lit(gl, GL_R8UI, width(s), height(s), light_count, "lit"),
       traced(gl, GL_RGBA32F, width(s), height(s), "traced"),
       id_target(gl, &ids, depth, "ids"),
       ids_readback(gl, pixel_count(s) * sizeof(uint32_t), "reading back ids"),
-      mask_readback(gl, pixel_count(s), "reading back the shadow mask"),
+      mask_readback(gl, light_count * pixel_count(s), "reading back the shadow mask"),
       repaired_ids(s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays ? pixel_count(s) : 0),
-      settled_mask(s.shadows == ShadowMode::exact ? pixel_count(s) : 0),
-      lit_pixels(pixel_count(s)),
+      settled_mask(s.shadows == ShadowMode::exact ? light_count * pixel_count(s) : 0),
+      lit_pixels(light_count * pixel_count(s)),
       traced_pixels(pixel_count(s)) {
   for (size_t i = 0; i < static_cast<size_t>(PassId::count); ++i) timers.emplace_back(gl);
 }
@@ -27,7 +27,7 @@ FrameSlot::FrameSlot(const gl::Functions& gl, const RenderSettings& s, const gl:
 std::span<const uint32_t> FrameSlot::read_ids() const {
   if (!plan.read_ids) return {};
   if (repaired) return repaired_ids;
-  return {static_cast<const uint32_t*>(ids_readback.data()), lit_pixels.size()};
+  return {static_cast<const uint32_t*>(ids_readback.data()), traced_pixels.size()};
 }
 
 std::span<const uint8_t> FrameSlot::read_mask() const {

@@ -17,22 +17,22 @@ namespace hybridrt {
 /// What one frame in flight owns: the paper's doubled camera, light and framebuffer. Pass 4 writes the
 /// CPU arrays on other threads while the GL thread works on another slot.
 struct FrameSlot {
-  FrameSlot(const gl::Functions& gl, const RenderSettings& settings, const gl::Texture& depth);
+  FrameSlot(const gl::Functions& gl, const RenderSettings& settings, size_t light_count, const gl::Texture& depth);
 
   FramePlan plan;
 
-  gl::Texture ids;     ///< R32UI
-  gl::Texture mask;    ///< R8UI, of pass 2 or 3
-  gl::Texture lit;     ///< R8UI, of pass 4
-  gl::Texture traced;  ///< RGBA32F, of pass 4
+  gl::Texture ids;        ///< R32UI
+  gl::TextureArray mask;  ///< R8UI, of pass 2 or 3, a layer a light
+  gl::TextureArray lit;   ///< R8UI, of pass 4, a layer a light
+  gl::Texture traced;     ///< RGBA32F, of pass 4
   gl::Framebuffer id_target;
   gl::Readback ids_readback, mask_readback;
   std::vector<gl::TimerQuery> timers;  ///< by PassId
 
   std::vector<uint32_t> repaired_ids;
-  std::vector<uint8_t> settled_mask;  ///< of pass 3 on the CPU
+  std::vector<uint8_t> settled_mask;  ///< of pass 3 on the CPU, light after light
   UnsettledShadows unsettled;
-  std::vector<uint8_t> lit_pixels;
+  std::vector<uint8_t> lit_pixels;  ///< light after light
   std::vector<vec4> traced_pixels;
   TraceStats stats;
   double trace_ms = 0, light_buffer_ms = 0, settle_ms = 0, repair_ms = 0;

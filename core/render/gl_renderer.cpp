@@ -18,11 +18,13 @@ const gl::Context& require_size(const gl::Context& context, const RenderSettings
   return context;
 }
 
-/// For --aov marked.
+/// For --aov marked; with any light.
 void mark_repaired(FrameSlot& slot) {
   const auto* rasterised = static_cast<const uint32_t*>(slot.ids_readback.data());
-  for (size_t i = 0; i < slot.settled_mask.size(); ++i)
-    if (slot.repaired_ids[i] != rasterised[i]) slot.settled_mask[i] |= HRT_MASK_REPAIRED;
+  const size_t pixel_count = slot.repaired_ids.size();
+  for (size_t first = 0; first < slot.settled_mask.size(); first += pixel_count)
+    for (size_t i = 0; i < pixel_count; ++i)
+      if (slot.repaired_ids[i] != rasterised[i]) slot.settled_mask[first + i] |= HRT_MASK_REPAIRED;
 }
 
 bool uses_shadow_map(const RenderSettings& s) {
@@ -39,34 +41,38 @@ bool needs_caster(const SceneFacts& facts, const RenderSettings& s, bool light_m
 }
 
 GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene,
-                       const RenderSettings& s, const RayCaster<float>* caster, ThreadPool& pool)
+                       const RenderSettings& s, size_t light_count, const RayCaster<float>* caster, ThreadPool& pool)
     : gl_(require_size(context, s).functions()),
       scene_(scene),
       settings_(s),
       caster_(caster),
       pool_(pool),
       facts_(make_scene_facts(scene)),
+      light_count_(light_count),
       scene_gpu_(context, scene),
       shadow_map_pass_(gl_, shaders, scene_gpu_.has_holes()),
       id_pass_(gl_, shaders, scene_gpu_.has_holes()),
       shadow_test_pass_(gl_, shaders),
       mark_pass_(gl_, shaders),
-      shade_pass_(gl_, shaders, scene_gpu_.textures.has_value()),
+      shade_pass_(gl_, shaders, light_count, scene_gpu_.textures.has_value()),
       part_(rendered_rect(s)),
       depth_(gl_, GL_DEPTH_COMPONENT32F, part_.width_px, part_.height_px, "depth"),
       picture_(gl_, GL_RGBA32F, part_.width_px, part_.height_px, "picture"),
       picture_readback_(gl_, sizeof(vec4) * static_cast<size_t>(part_.width_px) * part_.height_px,
                         "downloading the picture"),
-      light_buffer_(scene, pool) {
-  if (uses_shadow_map(s)) {
-    shadow_map_ = {gl_, GL_DEPTH_COMPONENT32F, s.shadow_map_px, s.shadow_map_px, "shadow map"};
-    shadow_map_target_ = {gl_, nullptr, shadow_map_, "shadow map"};
-  }
+      light_buffers_(scene, pool) {
+  HRT_CHECK(light_count <= HRT_MAX_LIGHTS);
+  if (uses_shadow_map(s))
+    for (size_t l = 0; l < light_count; ++l) {
+      KeptShadowMap& map = shadow_maps_.emplace_back();
+      map.depth = {gl_, GL_DEPTH_COMPONENT32F, s.shadow_map_px, s.shadow_map_px, "shadow map"};
+      map.target = {gl_, nullptr, map.depth, "shadow map"};
+    }
   if (s.shadows == ShadowMode::blur) {
-    unmarked_mask_ = {gl_, GL_R8UI, part_.width_px, part_.height_px, "unmarked shadow mask"};
+    unmarked_mask_ = {gl_, GL_R8UI, part_.width_px, part_.height_px, light_count, "unmarked shadow mask"};
     row_sums_ = {gl_, GL_RG8UI, part_.width_px, part_.height_px, "blurred rows"};
   }
-  for (int i = 0; i < s.frames_in_flight; ++i) slots_.emplace_back(gl_, s, depth_);
+  for (int i = 0; i < s.frames_in_flight; ++i) slots_.emplace_back(gl_, s, light_count, depth_);
 }
 
 GlRenderer::~GlRenderer() {
@@ -92,6 +98,7 @@ void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
   while (const std::optional<FrameRequest> request = next()) {
     if (in_flight.size() == slots_.size()) finish_oldest();
     FrameSlot& slot = slots_[turn++ % slots_.size()];
+    HRT_CHECK_EQ(request->lights.size(), light_count_);
     slot.plan = make_frame_plan(scene_, facts_, *request, settings_);
     rasterize(slot);
     if (!interleave) {
@@ -109,32 +116,52 @@ void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
   while (!in_flight.empty()) finish_oldest();
 }
 
-void GlRenderer::update_shadow_map(FrameSlot& slot) {
-  if (light_frame_ && light_frame_->toward == slot.plan.light.toward) return;
-  slot.timer(PassId::shadow_map).begin();
-  light_frame_ = fit_light_frame(scene_, slot.plan.light.toward);
-  shadow_map_pass_.run({scene_gpu_, *light_frame_, settings_.shadow_map_px}, {shadow_map_target_});
-  slot.timer(PassId::shadow_map).end();
+void GlRenderer::update_shadow_maps(FrameSlot& slot) {
+  const auto is_kept = [&](size_t l) {
+    return !slot.plan.casts_shadow(l) ||
+           (shadow_maps_[l].light && shadow_maps_[l].light->toward == slot.plan.lights[l].toward);
+  };
+  bool drawn = false;
+  for (size_t l = 0; l < shadow_maps_.size(); ++l) {
+    if (is_kept(l)) continue;
+    if (!std::exchange(drawn, true)) slot.timer(PassId::shadow_map).begin();
+    KeptShadowMap& map = shadow_maps_[l];
+    map.light = fit_light_frame(scene_, slot.plan.lights[l].toward);
+    shadow_map_pass_.run({scene_gpu_, *map.light, settings_.shadow_map_px}, {map.target});
+  }
+  if (drawn) slot.timer(PassId::shadow_map).end();
+}
+
+void GlRenderer::test_shadows(FrameSlot& slot) {
+  const FramePlan& plan = slot.plan;
+  for (size_t l = 0; l < shadow_maps_.size(); ++l)
+    if (plan.casts_shadow(l))
+      shadow_test_pass_.run(
+          {scene_gpu_, plan.view, *shadow_maps_[l].light, slot.ids, shadow_maps_[l].depth, settings_.shadow_map_px},
+          {plan.mark ? unmarked_mask_ : slot.mask, static_cast<int>(l)});
+}
+
+void GlRenderer::mark_boundaries(FrameSlot& slot) {
+  const FramePlan& plan = slot.plan;
+  slot.timer(PassId::mark).begin();
+  for (size_t l = 0; l < shadow_maps_.size(); ++l)
+    if (plan.casts_shadow(l))
+      mark_pass_.run({unmarked_mask_, plan.view.width_px, plan.view.height_px, settings_.blur_kernel_px,
+                      static_cast<int>(l)},
+                     {row_sums_, slot.mask});
+  slot.timer(PassId::mark).end();
 }
 
 void GlRenderer::rasterize(FrameSlot& slot) {
   const FramePlan& plan = slot.plan;
   for (gl::TimerQuery& timer : slot.timers) timer.skip();
-  if (plan.shadow_map) update_shadow_map(slot);
+  if (plan.shadow_map) update_shadow_maps(slot);
 
   slot.timer(PassId::id).begin();
   id_pass_.run({scene_gpu_, plan.view, plan.near_distance}, {slot.id_target});
-  if (plan.shadow_map)
-    shadow_test_pass_.run({scene_gpu_, plan.view, *light_frame_, slot.ids, shadow_map_, settings_.shadow_map_px},
-                          {plan.mark ? unmarked_mask_ : slot.mask});
+  if (plan.shadow_map) test_shadows(slot);
   slot.timer(PassId::id).end();
-
-  if (plan.mark) {
-    slot.timer(PassId::mark).begin();
-    mark_pass_.run({unmarked_mask_, plan.view.width_px, plan.view.height_px, settings_.blur_kernel_px},
-                   {row_sums_, slot.mask});
-    slot.timer(PassId::mark).end();
-  }
+  if (plan.mark) mark_boundaries(slot);
 
   if (!plan.read_ids && !plan.read_mask) return;
   slot.timer(PassId::readback).begin();
@@ -151,7 +178,7 @@ void GlRenderer::trace(FrameSlot& slot) {
   slot.trace_ms = slot.light_buffer_ms = slot.settle_ms = slot.repair_ms = 0;
   slot.repaired = false;
   if (!slot.plan.trace()) return;
-  HRT_CHECK(caster_ || (slot.plan.light_buffer && !slot.plan.trace_scattered && !slot.plan.repair));
+  HRT_CHECK(caster_ || (slot.plan.light_buffers && !slot.plan.trace_scattered && !slot.plan.repair));
   const Stopwatch stopwatch;
   RepairStats repair;
   if (slot.plan.repair) {
@@ -159,12 +186,8 @@ void GlRenderer::trace(FrameSlot& slot) {
     slot.repaired = true;
     slot.repair_ms = stopwatch.elapsed_ms();
   }
-  TraceJob job{scene_, slot.plan.view, slot.plan.light, slot.plan.shadows,
-                     settings_.reflection_depth, settings_.ambient, settings_.background};
-  if (slot.plan.light_buffer) {
-    job.light_buffer = &light_buffer_.toward(slot.plan.light.toward, slot.light_buffer_ms);
-    job.eye_enclosed = may_be_enclosed(*job.light_buffer, slot.plan.view.eye);
-  }
+  TraceJob job = make_trace_job(scene_, slot.plan, settings_);
+  if (slot.plan.light_buffers) slot.light_buffer_ms = light_buffers_.answer(job);
   if (slot.plan.settle) {
     const Stopwatch settling;
     settle_shadows(job, pool_, slot.read_ids(), slot.settled_mask, slot.lit_pixels, slot.unsettled);
@@ -194,17 +217,17 @@ Frame GlRenderer::shade(FrameSlot& slot) {
     gl_.TextureSubImage2D(slot.ids.id(), 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT,
                           slot.repaired_ids.data());
   if (plan.trace_shadows)
-    gl_.TextureSubImage2D(slot.lit.id(), 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
-                          slot.lit_pixels.data());
+    gl_.TextureSubImage3D(slot.lit.id(), 0, 0, 0, 0, width, height, static_cast<GLsizei>(plan.lights.size()),
+                          GL_RED_INTEGER, GL_UNSIGNED_BYTE, slot.lit_pixels.data());
   if (plan.trace_scattered)
     gl_.TextureSubImage2D(slot.traced.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, slot.traced_pixels.data());
   if (plan.trace()) slot.timer(PassId::upload).end();
   const double copying_ms = plan.trace() ? uploading.elapsed_ms() : 0;
 
   slot.timer(PassId::shade).begin();
-  const gl::Texture* mask = plan.trace_shadows ? &slot.lit : plan.shadow_map ? &slot.mask : nullptr;
+  const gl::TextureArray* mask = plan.trace_shadows ? &slot.lit : plan.shadow_map ? &slot.mask : nullptr;
   shade_pass_.run({scene_gpu_, plan.view, slot.ids, mask, plan.trace_scattered ? &slot.traced : nullptr,
-                   plan.light.toward, plan.light.color, settings_.ambient, settings_.background},
+                   plan.lights, settings_.ambient, settings_.background},
                   {picture_});
   slot.timer(PassId::shade).end();
 
@@ -229,7 +252,7 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   frame.timings[PassId::upload] += copying_ms;
   frame.timings[PassId::download] += unpacking_ms;
 
-  AovSource source{slot.read_ids(), slot.read_mask(), {}, {}};
+  AovSource source{plan.lights, slot.read_ids(), slot.read_mask(), {}, {}};
   if (plan.trace_shadows) source.lit = slot.lit_pixels;
   if (plan.trace_scattered) source.traced = slot.traced_pixels;
   frame.aovs = make_aovs(scene_, plan.view, kept, source, settings_.aovs);

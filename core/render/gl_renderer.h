@@ -7,7 +7,7 @@
 #include "core/passes/shade.h"
 #include "core/passes/shadow_map.h"
 #include "core/render/frame_slot.h"
-#include "core/render/kept_light_buffer.h"
+#include "core/render/kept_light_buffers.h"
 #include "core/trace/ray_caster.h"
 
 #include <deque>
@@ -23,17 +23,19 @@ bool needs_caster(const SceneFacts& facts, const RenderSettings& settings, bool 
 /// pictures are the same. Lives and renders on the thread that the context is current on.
 class GlRenderer {
  public:
-  /// `caster` may be null if !needs_caster(). Everything handed in must outlive the renderer.
-  /// Throws Error(device) when a size is over the device's limits.
+  /// Every frame must have `light_count` lights. `caster` may be null if !needs_caster(). Everything handed in must
+  /// outlive the renderer. Throws Error(device) when a size is over the device's limits.
   GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene,
-             const RenderSettings& settings, const RayCaster<float>* caster, ThreadPool& pool);
+             const RenderSettings& settings, size_t light_count, const RayCaster<float>* caster, ThreadPool& pool);
   ~GlRenderer();
 
   void render(const NextFrame& next, const DeliverFrame& deliver);
 
  private:
   void rasterize(FrameSlot& slot);  ///< passes 1-3, starts the readback and waits for it
-  void update_shadow_map(FrameSlot& slot);
+  void update_shadow_maps(FrameSlot& slot);
+  void test_shadows(FrameSlot& slot);     ///< pass 2's second step
+  void mark_boundaries(FrameSlot& slot);  ///< pass 3 on the GPU
   void trace(FrameSlot& slot);      ///< pass 4; any thread
   Frame shade(FrameSlot& slot);     ///< pass 5; waits for pass 4
 
@@ -43,6 +45,7 @@ class GlRenderer {
   const RayCaster<float>* caster_;
   ThreadPool& pool_;
   const SceneFacts facts_;
+  const size_t light_count_;
 
   SceneGpu scene_gpu_;
   ShadowMapPass shadow_map_pass_;
@@ -54,14 +57,18 @@ class GlRenderer {
   const PixelRect part_;  ///< of the frame, rendered
 
   // Used within one stage only, so one of each serves all slots.
-  gl::Texture depth_, unmarked_mask_, row_sums_, picture_;
+  gl::Texture depth_, row_sums_, picture_;
+  gl::TextureArray unmarked_mask_;
   gl::Readback picture_readback_;
 
-  // The light's structures, kept while the light stands still.
-  std::optional<LightFrame> light_frame_;
-  gl::Texture shadow_map_;
-  gl::Framebuffer shadow_map_target_;
-  KeptLightBuffer light_buffer_;
+  // The lights' structures, each kept while its light stands still.
+  struct KeptShadowMap {
+    std::optional<LightFrame> light;  ///< that it was drawn for
+    gl::Texture depth;
+    gl::Framebuffer target;
+  };
+  std::vector<KeptShadowMap> shadow_maps_;
+  KeptLightBuffers light_buffers_;
 
   std::deque<FrameSlot> slots_;
 };

@@ -34,20 +34,20 @@ size_t rendered_pixels(const RenderSettings& s) {
 bool uses_gl(const RenderSettings& s) { return s.method == Method::hybrid || s.method == Method::raster; }
 
 /// The formats are those of GlRenderer and FrameSlot.
-size_t gpu_frame_bytes(const RenderSettings& s) {
+size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t pixels = rendered_pixels(s);
   const size_t depth = 4, picture = 16 + 16;  // and its readback
-  const size_t slot = (4 + 1) * 2 + 1 + 16;   // ids and mask with their readbacks, lit, traced
+  const size_t slot = 4 * 2 + lights * (2 + 1) + 16;  // ids and mask with their readbacks, lit, traced
   size_t bytes = pixels * (depth + picture + s.frames_in_flight * slot);
   if (s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur)
-    bytes += size_t{4} * s.shadow_map_px * s.shadow_map_px;
-  if (s.shadows == ShadowMode::blur) bytes += pixels * (1 + 2);  // the unmarked mask and row sums
+    bytes += lights * 4 * s.shadow_map_px * s.shadow_map_px;
+  if (s.shadows == ShadowMode::blur) bytes += pixels * (lights + 2);  // the unmarked mask and row sums
   return bytes;
 }
 
 /// What pass 4 writes in each slot; or the whole frame of render_on_cpu.
-size_t cpu_frame_bytes(const RenderSettings& s) {
-  const size_t lit = 1, traced = 16, ids = 4;
+size_t cpu_frame_bytes(const RenderSettings& s, size_t lights) {
+  const size_t lit = lights, traced = 16, ids = 4;
   return rendered_pixels(s) * (uses_gl(s) ? s.frames_in_flight * (lit + traced) : traced + ids + lit);
 }
 
@@ -62,17 +62,17 @@ size_t picture_bytes(const RenderSettings& s, int threads, int64_t frame_count) 
 
 }  // namespace
 
-MemoryEstimate estimate_frame_memory(const RenderSettings& s, int threads, int64_t frame_count) {
+MemoryEstimate estimate_frame_memory(const RenderSettings& s, size_t light_count, int threads, int64_t frame_count) {
   MemoryEstimate estimate;
-  if (uses_gl(s)) estimate.gpu_frames = gpu_frame_bytes(s);
-  estimate.frames = cpu_frame_bytes(s);
+  if (uses_gl(s)) estimate.gpu_frames = gpu_frame_bytes(s, light_count);
+  estimate.frames = cpu_frame_bytes(s, light_count);
   estimate.pictures = picture_bytes(s, threads, frame_count);
   return estimate;
 }
 
 MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const RenderSettings& s, Accel accel,
-                               bool light_moves, int threads, int64_t frame_count) {
-  MemoryEstimate estimate = estimate_frame_memory(s, threads, frame_count);
+                               size_t light_count, bool light_moves, int threads, int64_t frame_count) {
+  MemoryEstimate estimate = estimate_frame_memory(s, light_count, threads, frame_count);
   estimate.scene = geometry_bytes(scene) + bytes_of(scene.materials);
   if (uses_gl(s))
     estimate.gpu_scene = geometry_bytes(scene) + scene.materials.size() * HRT_MATERIAL_TEXELS * sizeof(vec4);
@@ -83,12 +83,13 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
   const bool asks_light = s.method == Method::raytrace || s.shadows == ShadowMode::blur ||
                           s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays || scatters;
   if (s.method != Method::reference && s.method != Method::raster && s.shadows != ShadowMode::none && asks_light)
-    estimate.accelerator += scene.triangle_count() * kLightBufferBytesATriangle;
+    estimate.accelerator += light_count * scene.triangle_count() * kLightBufferBytesATriangle;
   return estimate;
 }
 
-void require_room_for_frames(const RenderSettings& s, int threads, int64_t frame_count, uint64_t most_bytes) {
-  const uint64_t bytes = estimate_frame_memory(s, threads, frame_count).total();
+void require_room_for_frames(const RenderSettings& s, size_t light_count, int threads, int64_t frame_count,
+                             uint64_t most_bytes) {
+  const uint64_t bytes = estimate_frame_memory(s, light_count, threads, frame_count).total();
   if (bytes > most_bytes)
     throw error(ErrorKind::usage,
                 "frames of {}x{} pixels need about {} of memory, allowed are {}; render smaller ones (--size, --crop, "

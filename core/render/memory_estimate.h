@@ -11,22 +11,24 @@ namespace hybridrt {
 struct MemoryEstimate {
   size_t scene = 0;        ///< the arrays of Scene
   size_t gpu_scene = 0;    ///< their copies for the GPU; 0 for methods without GL
-  size_t gpu_frames = 0;   ///< textures and readback buffers of all frames in flight, and the shadow map
+  size_t gpu_frames = 0;   ///< textures and readback buffers of all frames in flight, and the shadow maps
   size_t frames = 0;       ///< what the processor keeps of them
   size_t pictures = 0;     ///< that wait to be written, at most
-  size_t accelerator = 0;  ///< of rays, the light's too; rough; 0 when no frame can need any
+  size_t accelerator = 0;  ///< of rays, the lights' too; rough; 0 when no frame can need any
 
   size_t total() const { return scene + gpu_scene + gpu_frames + frames + pictures + accelerator; }
 };
 
 /// The part that is known without a scene: gpu_frames, frames and pictures of a sequence of `frame_count`.
-MemoryEstimate estimate_frame_memory(const RenderSettings& settings, int threads, int64_t frame_count);
+MemoryEstimate estimate_frame_memory(const RenderSettings& settings, size_t light_count, int threads,
+                                     int64_t frame_count);
 
 MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const RenderSettings& settings,
-                               Accel accel, bool light_moves, int threads, int64_t frame_count);
+                               Accel accel, size_t light_count, bool light_moves, int threads, int64_t frame_count);
 
 /// Throws Error (usage) that says what to do, if the frames alone need more than `most_bytes`. What is on the GPU
 /// counts too: a software GL keeps it in main memory.
-void require_room_for_frames(const RenderSettings& settings, int threads, int64_t frame_count, uint64_t most_bytes);
+void require_room_for_frames(const RenderSettings& settings, size_t light_count, int threads, int64_t frame_count,
+                             uint64_t most_bytes);
 
 }  // namespace hybridrt

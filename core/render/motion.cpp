@@ -21,24 +21,27 @@ Camera camera_at(const CameraMotion& motion, int frame) {
                          (static_cast<double>(frame) - motion.sequence.first) / length);
 }
 
-DirectionalLight light_at(const LightMotion& light, const CameraMotion& camera, int frame) {
-  DirectionalLight now = light.light;
-  if (light.mode == LightMode::with_path) {
+std::vector<DirectionalLight> lights_at(const LightMotion& motion, const CameraMotion& camera, int frame) {
+  std::vector<DirectionalLight> now = motion.lights;
+  if (now.empty()) return now;
+  if (motion.mode == LightMode::with_path) {
     if (const auto* path = std::get_if<CameraPath>(&camera.course))
-      now.toward = light_on_path(*path, frame).value_or(now.toward);
-  } else if (light.mode == LightMode::with_camera && frame != camera.sequence.first) {
-    const dvec3 seen =
-        glm::transpose(world_from_camera(camera_at(camera, camera.sequence.first))) * now.toward;
-    now.toward = glm::normalize(world_from_camera(camera_at(camera, frame)) * seen);
+      now[0].toward = light_on_path(*path, frame).value_or(now[0].toward);
+  } else if (motion.mode == LightMode::with_camera && frame != camera.sequence.first) {
+    const glm::dmat3 camera_from_world = glm::transpose(world_from_camera(camera_at(camera, camera.sequence.first)));
+    for (DirectionalLight& light : now) {
+      const dvec3 seen = camera_from_world * light.toward;
+      light.toward = glm::normalize(world_from_camera(camera_at(camera, frame)) * seen);
+    }
   }
   return now;
 }
 
-bool light_moves(const LightMotion& light, const CameraMotion& camera) {
-  if (camera.sequence.first == camera.sequence.last) return false;
-  if (light.mode == LightMode::with_camera) return !std::holds_alternative<Camera>(camera.course);
+bool lights_move(const LightMotion& motion, const CameraMotion& camera) {
+  if (motion.lights.empty() || camera.sequence.first == camera.sequence.last) return false;
+  if (motion.mode == LightMode::with_camera) return !std::holds_alternative<Camera>(camera.course);
   const auto* path = std::get_if<CameraPath>(&camera.course);
-  return light.mode == LightMode::with_path && path && light_on_path(*path, camera.sequence.first).has_value();
+  return motion.mode == LightMode::with_path && path && light_on_path(*path, camera.sequence.first).has_value();
 }
 
 }  // namespace hybridrt

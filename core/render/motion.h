@@ -13,20 +13,20 @@ struct CameraMotion {
 };
 Camera camera_at(const CameraMotion& motion, int frame);
 
-/// What the light does while frames pass.
+/// What the lights do while frames pass.
 enum class LightMode {
-  fixed,        ///< stands still in the world
-  with_path,    ///< moves with the keys of a camera path that say so
-  with_camera,  ///< stands still as seen from the camera: what turns is the scene (turntables)
+  fixed,        ///< stand still in the world
+  with_path,    ///< the first moves with the keys of a camera path that say so, the others stand still
+  with_camera,  ///< all stand still as seen from the camera: what turns is the scene (turntables)
 };
 
 struct LightMotion {
-  DirectionalLight light;  ///< at the first frame of the sequence; its colour at all
+  std::vector<DirectionalLight> lights;  ///< at the first frame of the sequence; their colours at all
   LightMode mode = LightMode::fixed;
 };
-DirectionalLight light_at(const LightMotion& light, const CameraMotion& camera, int frame);
+std::vector<DirectionalLight> lights_at(const LightMotion& motion, const CameraMotion& camera, int frame);
 
 /// Whether two frames of the sequence may have different lights.
-bool light_moves(const LightMotion& light, const CameraMotion& camera);
+bool lights_move(const LightMotion& motion, const CameraMotion& camera);
 
 }  // namespace hybridrt

@@ -15,12 +15,19 @@ std::string shadows_option(const RenderSettings& s) {
 
 std::string pixels(const RenderSettings& s) { return fmt::format("{} x {} pixels", s.width_px, s.height_px); }
 
+/// Nothing for one.
+std::string for_each_light(const FramePlan& plan) {
+  return plan.lights.size() > 1 ? fmt::format(" for each of {} lights", plan.lights.size()) : std::string();
+}
+
 StepNote shadow_map_note(const FramePlan& plan, const RenderSettings& s, bool light_moves) {
   constexpr std::string_view kStep = "pass 1 shadow map";
   if (!plan.shadow_map) return left_out(kStep, shadows_option(s) + " needs none");
+  const bool several = plan.lights.size() > 1;
+  const char* moving = several ? "kept where a light stands still" : "the light moves";
+  const char* still = several ? "the lights stand still" : "the light stands still";
   return {kStep, light_moves ? Runs::each_frame : Runs::once,
-          fmt::format("{0} x {0} texels; the light {1}", s.shadow_map_px,
-                      light_moves ? "moves" : "stands still")};
+          fmt::format("{0} x {0} texels{1}; {2}", s.shadow_map_px, for_each_light(plan), light_moves ? moving : still)};
 }
 
 StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
@@ -47,7 +54,8 @@ StepNote shadow_rays_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 4 shadow rays";
   if (plan.mark) return {kStep, Runs::each_frame, "at the pixels that pass 3 marks"};
   if (plan.settle) return {kStep, Runs::each_frame, "at the pixels that pass 3 cannot settle"};
-  if (s.shadows == ShadowMode::rays) return {kStep, Runs::each_frame, "at every pixel that faces the light"};
+  if (s.shadows == ShadowMode::rays)
+    return {kStep, Runs::each_frame, "at every pixel that faces the light" + for_each_light(plan)};
   return left_out(kStep, plan.shadow_map ? "the shadow map decides alone" : "--shadows none");
 }
 
@@ -71,8 +79,8 @@ StepNote accelerator_note(const SceneFacts& facts, const RenderSettings& s, Acce
 
 StepNote light_buffer_note(const FramePlan& plan, bool light_moves) {
   constexpr std::string_view kStep = "pass 1 light buffer";
-  if (!plan.light_buffer) return left_out(kStep, "no shadow ray asks it");
-  return {kStep, light_moves ? Runs::each_frame : Runs::once, "answers all shadow rays"};
+  if (!plan.light_buffers) return left_out(kStep, "no shadow ray asks it");
+  return {kStep, light_moves ? Runs::each_frame : Runs::once, "answers all shadow rays" + for_each_light(plan)};
 }
 
 }  // namespace

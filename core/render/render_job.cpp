@@ -6,8 +6,8 @@
 
 namespace hybridrt {
 FrameRequest frame_request(const RenderJob& job, int frame) {
-  return {frame, camera_at(job.motion, frame), light_at(job.light, job.motion, frame),
-          light_moves(job.light, job.motion)};
+  return {frame, camera_at(job.motion, frame), lights_at(job.lights, job.motion, frame),
+          lights_move(job.lights, job.motion)};
 }
 
 RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& starting,
@@ -56,8 +56,10 @@ RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& s
     request.threads = job.threads;
     const std::unique_ptr<gl::Context> context = gl::open_context(request);
     facts.gl = context->info();
-    const bool rays_needed = needs_caster(make_scene_facts(job.scene), job.settings, light_moves(job.light, job.motion));
-    GlRenderer renderer(*context, job.shaders, job.scene, job.settings, rays_needed ? &caster() : nullptr, pool);
+    const bool rays_needed =
+        needs_caster(make_scene_facts(job.scene), job.settings, lights_move(job.lights, job.motion));
+    GlRenderer renderer(*context, job.shaders, job.scene, job.settings, job.lights.lights.size(),
+                        rays_needed ? &caster() : nullptr, pool);
     ready();
     renderer.render(next, deliver);
   }

@@ -20,7 +20,7 @@ struct RenderJob {
   RenderSettings settings;
   FrameSpec frames;
   CameraMotion motion;
-  LightMotion light;
+  LightMotion lights;
   Accel accel = Accel::embree;
   SceneCaster<float> caster;  ///< of `scene` by `accel`, if it was needed already; else run() builds one
   int threads = 1;
@@ -29,7 +29,7 @@ struct RenderJob {
   gl::ShaderSources shaders;  ///< for the methods that use GL
 };
 
-/// Camera and light of a frame.
+/// Camera and lights of a frame.
 FrameRequest frame_request(const RenderJob& job, int frame);
 
 /// What a run turned out to be.

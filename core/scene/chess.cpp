@@ -137,7 +137,7 @@ SceneShot chess_shot() {
   camera.target_world = {0.1, -0.1, 0.35};
   camera.fov_y_rad = 38 * kPi / 180;
   shot.camera = camera;
-  shot.light = DirectionalLight{glm::normalize(dvec3(-1, 0.9, 0.3)), vec3(1)};
+  shot.lights = {DirectionalLight{glm::normalize(dvec3(-1, 0.9, 0.3)), vec3(1)}};
   shot.background = vec3(0.045f, 0.060f, 0.078f);
   shot.ambient = vec3(0.20f, 0.205f, 0.215f);
   return shot;

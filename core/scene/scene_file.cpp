@@ -4,6 +4,7 @@
 #include "core/scene/json_read.h"
 #include "core/scene/mesh_io.h"
 #include "core/scene/text_scan.h"
+#include "shaders/shared.h"
 
 namespace hybridrt {
 namespace {
@@ -44,22 +45,24 @@ vec3 parse_color(const JsonPlace& place) {
   return vec3(color);
 }
 
-std::optional<DirectionalLight> parse_lights(const JsonPlace& place) {
-  std::optional<DirectionalLight> light;
+std::vector<DirectionalLight> parse_lights(const JsonPlace& place) {
+  std::vector<DirectionalLight> lights;
+  if (place.size() > HRT_MAX_LIGHTS)
+    place.fail(fmt::format("there are {} lights; at most {} are possible", place.size(), HRT_MAX_LIGHTS));
   for (size_t i = 0; i < place.size(); ++i) {
     const JsonPlace entry = place[i];
-    entry.only({"type", "toward", "color"});
+    // First, since other types have other keys.
     const JsonPlace type = entry.at("type");
     if (const std::string name = type.text(); name != "directional")
       type.fail(name == "point" || name == "spot" || name == "environment"
-                    ? fmt::format("'{}' lights are not supported yet, only 'directional' ones", name)
+                    ? fmt::format("type '{}' is not supported yet; directional lights are", name)
                     : fmt::format("{} is not known; write 'directional'", in_quotes(name)));
-    if (light) entry.fail("several lights are not supported yet; leave one");
-    light.emplace();
-    light->toward = glm::normalize(entry.at("toward").direction());
-    if (const auto color = entry.find("color")) light->color = parse_color(*color);
+    entry.only({"type", "toward", "color"});
+    DirectionalLight& light = lights.emplace_back();
+    light.toward = glm::normalize(entry.at("toward").direction());
+    if (const auto color = entry.find("color")) light.color = parse_color(*color);
   }
-  return light;
+  return lights;
 }
 
 /// A setting as the command line would have it.
@@ -88,7 +91,7 @@ SceneDescription read_scene_file(const fs::path& path) {
   SceneDescription result;
   result.meshes = parse_meshes(scene.at("meshes"), path);
   if (const auto up = scene.find("up_axis")) result.up_axis = parse_up_axis(*up);
-  if (const auto lights = scene.find("lights")) result.light = parse_lights(*lights);
+  if (const auto lights = scene.find("lights")) result.lights = parse_lights(*lights);
   if (const auto ambient = scene.find("ambient")) result.ambient = parse_color(*ambient);
   if (const auto background = scene.find("background")) result.background = parse_color(*background);
   if (scene.has("camera") && scene.has("camera_path")) scene.fail("give either 'camera' or 'camera_path'");

@@ -15,7 +15,7 @@ namespace hybridrt {
 struct SceneDescription {
   std::vector<std::filesystem::path> meshes;  ///< at least one, as found from the JSON's folder
   std::optional<UpAxis> up_axis;
-  std::optional<DirectionalLight> light;  ///< `toward` unit
+  std::optional<std::vector<DirectionalLight>> lights;  ///< `toward` unit, at most HRT_MAX_LIGHTS; may be none
   std::optional<vec3> ambient, background;
   /// Render options by the names of the command line, without dashes, and their values as text; "true" where
   /// a flag is set. Their names are not checked here.
@@ -26,8 +26,8 @@ struct SceneDescription {
 bool is_scene_file(const std::filesystem::path& path);
 
 /// Reads the description, no mesh. Throws Error (input) naming file and place: what read_json_file throws,
-/// unknown keys, values of the wrong kind, no mesh, more than one light, other lights than directional ones,
-/// both a camera and a camera path.
+/// unknown keys, values of the wrong kind, no mesh, too many lights, other lights than directional ones, both
+/// a camera and a camera path.
 SceneDescription read_scene_file(const std::filesystem::path& path);
 
 /// The camera of a scene JSON ("camera", or "camera_path" as an object or the name of a file beside it), if

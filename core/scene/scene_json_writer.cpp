@@ -38,10 +38,12 @@ void write_scene_json(const std::filesystem::path& path_json, const std::string&
                       {"up", numbers(camera.up)},
                       {"fov_y_deg", fov_y_deg}};
   }
-  if (shot.light)
-    json["lights"] = {{{"type", "directional"},
-                       {"toward", numbers(shot.light->toward)},
-                       {"color", color(shot.light->color)}}};
+  if (shot.lights) {
+    json["lights"] = Json::array();
+    for (const DirectionalLight& light : *shot.lights)
+      json["lights"].push_back(
+          {{"type", "directional"}, {"toward", numbers(light.toward)}, {"color", color(light.color)}});
+  }
   if (shot.ambient) json["ambient"] = color(*shot.ambient);
   if (shot.background) json["background"] = color(*shot.background);
   write_file_atomically(path_json, std::string_view(json.dump(1) + "\n"));

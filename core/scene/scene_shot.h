@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
@@ -11,7 +12,7 @@ namespace hybridrt {
 /// orbit around it, a light over the camera's left shoulder).
 struct SceneShot {
   std::optional<Camera> camera;
-  std::optional<DirectionalLight> light;
+  std::optional<std::vector<DirectionalLight>> lights;
   std::optional<vec3> ambient, background;
 };
 

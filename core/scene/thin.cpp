@@ -211,7 +211,7 @@ SceneShot thin_shot() {
   camera.target_world = {-0.3, 0.55, 0.0};
   camera.fov_y_rad = 42 * kPi / 180;
   shot.camera = camera;
-  shot.light = DirectionalLight{glm::normalize(dvec3(-0.75, 0.6, 0.4)), vec3(1)};
+  shot.lights = {DirectionalLight{glm::normalize(dvec3(-0.75, 0.6, 0.4)), vec3(1)}};
   shot.background = vec3(0.42f, 0.55f, 0.72f);
   shot.ambient = vec3(0.18f, 0.20f, 0.23f);
   return shot;

@@ -15,20 +15,21 @@ struct View {
   dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  ///< orthonormal
   double tan_half_width = 1, tan_half_height = 1;        ///< of the frame's edges, from its middle
   dvec2 sample_px{0};                                    ///< where in the pixel it is looked at, from the centre
+  int samples = 1;                                       ///< of a pixel: each stands for a part of its area
 
   /// Direction through the sample (by default the centre) of pixel (x, y) of the picture, row 0 on top; its component along `forward`
   /// is 1. Bit by bit the same for a part of a frame as for the whole.
   dvec3 pixel_dir(int x, int y) const {
     return ray_first() + static_cast<double>(x_px + x) * ray_step_x() + static_cast<double>(y_px + y) * ray_step_y();
   }
-  /// What pixel (x, y) covers of the sphere around the eye.
-  double pixel_solid_angle(int x, int y) const {
+  /// What a sample of pixel (x, y) covers of the sphere around the eye: textures are filtered over it.
+  double sample_solid_angle(int x, int y) const {
     const dvec3 dir = pixel_dir(x, y);
     const double squared = glm::dot(dir, dir);
-    return pixel_area() / (squared * std::sqrt(squared));
+    return sample_area() / (squared * std::sqrt(squared));
   }
-  /// Of a pixel, where its direction's component along `forward` is 1.
-  double pixel_area() const { return glm::length(glm::cross(ray_step_x(), ray_step_y())); }
+  /// Of a sample's part of a pixel, where its direction's component along `forward` is 1.
+  double sample_area() const { return glm::length(glm::cross(ray_step_x(), ray_step_y())) / samples; }
   /// Through the frame's first pixel, and from one to the next.
   dvec3 ray_first() const {
     return forward - tan_half_width * right + tan_half_height * up + (0.5 + sample_px.x) * ray_step_x() +

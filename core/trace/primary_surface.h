@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <span>
 
 #include "core/scene/view.h"
-#include "core/trace/light_buffer.h"
 #include "core/trace/surface_at.h"
+#include "core/trace/trace_job.h"
 
 namespace hybridrt {
 
@@ -15,22 +17,39 @@ inline dvec3 seen_barycentrics(const Scene& scene, uint32_t triangle, const dvec
                               dvec3(scene.vertex(triangle, 2)) - eye, dir);
 }
 
-/// The question whether the light reaches the point of `triangle` that is seen along `dir` (unit) from `eye`, in
-/// double precision: the same for every method and shadow mode. Nothing where it is the unlit side that is seen:
-/// that is in shadow without a ray. `toward` unit.
-inline std::optional<ShadowQuery> primary_shadow_query(const Scene& scene, uint32_t triangle, const dvec3& eye,
-                                                       const dvec3& dir, const dvec3& toward) {
+/// Calls ask(light, query) for each of the lights that the seen side of `triangle` faces; the others leave it in shadow
+/// without a ray. The query, whether the light reaches what is seen along `dir` (unit) from `eye`, is in double
+/// precision and the same for every light, method and shadow mode.
+template <typename Ask>
+void for_each_facing_light(const Scene& scene, uint32_t triangle, const dvec3& eye, const dvec3& dir,
+                           std::span<const TracedLight> lights, const Ask& ask) {
   const dvec3 weights = seen_barycentrics(scene, triangle, eye, dir);
   const dvec3 a(scene.vertex(triangle, 0)), e1 = dvec3(scene.vertex(triangle, 1)) - a,
       e2 = dvec3(scene.vertex(triangle, 2)) - a;
   const dvec3 normal = glm::cross(e1, e2);
   const bool from_front = glm::dot(normal, dir) <= 0;
   const dvec3 side = from_front ? normal : -normal;
-  if (glm::dot(side, toward) <= 0) return std::nullopt;
-  const dvec3 point = a + weights.y * e1 + weights.z * e2;
-  const dvec3 reach = glm::max(glm::abs(point), glm::max(glm::abs(e1), glm::abs(e2)));
-  const double offset = kRelativeOffset<double> * std::max({reach.x, reach.y, reach.z});
-  return ShadowQuery{point + offset / glm::length(normal) * side, triangle, from_front};
+  ShadowQuery query;
+  for (size_t l = 0; l < lights.size(); ++l) {
+    if (glm::dot(side, lights[l].light.toward) <= 0) continue;
+    if (query.triangle == kNoTriangle) {
+      const dvec3 point = a + weights.y * e1 + weights.z * e2;
+      const dvec3 reach = glm::max(glm::abs(point), glm::max(glm::abs(e1), glm::abs(e2)));
+      const double offset = kRelativeOffset<double> * std::max({reach.x, reach.y, reach.z});
+      query = {point + offset / glm::length(normal) * side, triangle, from_front};
+    }
+    ask(l, query);
+  }
+}
+
+/// The same for one light (`toward` unit): nothing where it does not face it.
+inline std::optional<ShadowQuery> primary_shadow_query(const Scene& scene, uint32_t triangle, const dvec3& eye,
+                                                       const dvec3& dir, const dvec3& toward) {
+  const TracedLight light{{toward}};
+  std::optional<ShadowQuery> found;
+  for_each_facing_light(scene, triangle, eye, dir, {&light, 1},
+                        [&](size_t, const ShadowQuery& query) { found = query; });
+  return found;
 }
 
 }  // namespace hybridrt

@@ -2,6 +2,7 @@
 
 #include "core/base/check.h"
 #include "core/trace/primary_surface.h"
+#include "shaders/shared.h"
 
 #include <time.h>
 
@@ -41,7 +42,19 @@ void TraceStats::add(const TraceStats& other) {
 
 template <typename Real>
 RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>* caster)
-    : job_(job), caster_(caster), to_light_(job.light.toward) {}
+    : job_(job),
+      caster_(caster),
+      ambient_(job.ambient),
+      background_(job.background),
+      asks_buffers_(job.has_buffers()),
+      shadow_queues_(job.lights.size()) {
+  HRT_CHECK(job.lights.size() <= HRT_MAX_LIGHTS);
+  for (const TracedLight& traced : job.lights) {
+    to_light_.emplace_back(traced.light.toward);
+    light_color_.emplace_back(traced.light.color);
+    if (traced.buffer) sides_ = traced.buffer->sides;
+  }
+}
 
 template <typename Real>
 void RayGenerations<Real>::push(const Ray<Real>& ray, const Tag& tag) {
@@ -55,11 +68,11 @@ void RayGenerations<Real>::add_primary(uint32_t pixel, int x, int y) {
   ray.origin = Vec3<Real>(job_.view.eye);
   const dvec3 dir = glm::normalize(job_.view.pixel_dir(x, y));
   ray.dir = Vec3<Real>(dir);
-  if (job_.light_buffer) {
+  if (asks_buffers_) {
     primary_dirs_.resize(std::max<size_t>(primary_dirs_.size(), pixel + 1));
     primary_dirs_[pixel] = dir;
   }
-  if (job_.scene.textures) set_solid_angle(pixel, static_cast<Real>(job_.view.pixel_solid_angle(x, y)));
+  if (job_.scene.textures) set_solid_angle(pixel, static_cast<Real>(job_.view.sample_solid_angle(x, y)));
   push(ray, {Vec3<Real>(1), pixel, 0});
 }
 
@@ -80,7 +93,7 @@ void RayGenerations<Real>::add_scattered(uint32_t pixel, uint32_t triangle, cons
 /// 1 for the outer side of a closed body, -1 for the inner one, 0 where there is no inside or nobody has asked.
 template <typename Real>
 int RayGenerations<Real>::body_side(uint32_t triangle, const Surface<Real>& surface) const {
-  const int side = job_.light_buffer ? job_.light_buffer->sides[triangle] : 0;
+  const int side = sides_.empty() ? 0 : sides_[triangle];
   return surface.from_outside ? side : -side;
 }
 
@@ -117,51 +130,56 @@ void RayGenerations<Real>::take_batch() {
   tags_.resize(first);
 }
 
-/// Nothing where the light does not reach that side of the surface. Nor does it reach the inner side of a closed body:
-/// whatever the body is made of, it casts a full shadow.
+/// Asks every light that the hit's side faces; those without shadows arrive unasked. None reaches the inner side of a
+/// closed body: whatever the body is made of, it casts a full shadow.
 template <typename Real>
-std::optional<ShadowQuery> RayGenerations<Real>::shadow_query(size_t i) const {
+void RayGenerations<Real>::queue_shadow_rays(size_t i) {
   const Tag& tag = batch_tags_[i];
-  std::optional<ShadowQuery> query;
-  if (tag.generation == 0)
-    query = primary_shadow_query(job_.scene, hits_[i].triangle, job_.view.eye, primary_dirs_[tag.pixel],
-                                 job_.light.toward);
-  else if (glm::dot(surfaces_[i].side, to_light_) > 0 && body_side(hits_[i].triangle, surfaces_[i]) >= 0)
-    query = ShadowQuery{dvec3(leave(surfaces_[i], to_light_).origin), hits_[i].triangle, surfaces_[i].from_outside};
-  if (query) query->anywhere = job_.eye_enclosed || tag.bodies != 0;
-  return query;
+  const Surface<Real>& surface = surfaces_[i];
+  const auto ask_buffer = [&](size_t l, const ShadowQuery& query) {
+    lit_[i] |= 1u << l;
+    shadow_queues_[l].owners.push_back(i);
+    shadow_queues_[l].queries.push_back(query);
+    shadow_queues_[l].queries.back().anywhere = job_.eye_enclosed || tag.bodies != 0;
+  };
+  const bool as_seen = asks_buffers_ && tag.generation == 0;
+  if (as_seen)
+    for_each_facing_light(job_.scene, hits_[i].triangle, job_.view.eye, primary_dirs_[tag.pixel], job_.lights,
+                          [&](size_t l, const ShadowQuery& query) {
+                            if (job_.casts_shadow(l)) ask_buffer(l, query);
+                          });
+  for (size_t l = 0; l < to_light_.size(); ++l) {
+    const bool asks = job_.casts_shadow(l);
+    if ((as_seen && asks) || glm::dot(surface.side, to_light_[l]) <= 0) continue;  // the unlit side needs no ray
+    if (asks && asks_buffers_) {
+      if (body_side(hits_[i].triangle, surface) >= 0)
+        ask_buffer(l, {dvec3(leave(surface, to_light_[l]).origin), hits_[i].triangle, surface.from_outside});
+      continue;
+    }
+    lit_[i] |= 1u << l;
+    if (!asks) continue;
+    shadow_queues_[l].owners.push_back(i);
+    shadow_queues_[l].rays.push_back(leave(surface, to_light_[l]));
+  }
 }
 
-/// Fills lit_: which hits of the batch the light reaches.
+/// Fills lit_: which lights reach the hits of the batch.
 template <typename Real>
 void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
-  shadow_rays_.clear();
-  shadow_queries_.clear();
-  shadow_owner_.clear();
+  for (ShadowQueue<Real>& queue : shadow_queues_) queue.clear();
   lit_.assign(hits_.size(), 0);
-  for (size_t i = 0; i < hits_.size(); ++i) {
-    if (!hits_[i].found()) continue;
-    if (job_.shadows && job_.light_buffer) {
-      const std::optional<ShadowQuery> query = shadow_query(i);
-      if (!query) continue;
-      shadow_queries_.push_back(*query);
-    } else {
-      if (glm::dot(surfaces_[i].side, to_light_) <= 0) continue;  // the unlit side needs no ray
-      if (job_.shadows) shadow_rays_.push_back(leave(surfaces_[i], to_light_));
+  for (size_t i = 0; i < hits_.size(); ++i)
+    if (hits_[i].found()) queue_shadow_rays(i);
+  for (size_t l = 0; l < shadow_queues_.size(); ++l) {
+    ShadowQueue<Real>& queue = shadow_queues_[l];
+    queue.answer(job_.lights[l], caster_);
+    stats.shadow_rays += static_cast<int64_t>(queue.owners.size());
+    for (size_t k = 0; k < queue.owners.size(); ++k) {
+      const size_t i = queue.owners[k];
+      stats.primary_shadow_rays += batch_tags_[i].generation == 0;
+      if (queue.occluded[k]) lit_[i] &= ~(1u << l);
     }
-    lit_[i] = 1;
-    if (!job_.shadows) continue;
-    shadow_owner_.push_back(static_cast<uint32_t>(i));
-    stats.primary_shadow_rays += batch_tags_[i].generation == 0;
   }
-  stats.shadow_rays += static_cast<int64_t>(shadow_owner_.size());
-  occluded_.resize(shadow_owner_.size());
-  if (job_.light_buffer)
-    shadow_answers(*job_.light_buffer, shadow_queries_, occluded_);
-  else
-    caster_->any_hits(shadow_rays_, occluded_);
-  for (size_t i = 0; i < occluded_.size(); ++i)
-    if (occluded_[i]) lit_[shadow_owner_[i]] = 0;
 }
 
 template <typename Real>
@@ -172,10 +190,22 @@ SurfaceColors<Real> RayGenerations<Real>::colors_of(size_t i) const {
                          solid_angles_[batch_tags_[i].pixel], batch_tags_[i].path + hits_[i].t);
 }
 
+/// Without what the surface sends on.
+template <typename Real>
+Vec3<Real> RayGenerations<Real>::color_of(size_t i, const SurfaceColors<Real>& paint) const {
+  const Surface<Real>& surface = surfaces_[i];
+  const Material& m = job_.scene.materials[surface.material];
+  Vec3<Real> color = phong_unlit(paint.kd, paint.ke, Real(m.opacity), ambient_);
+  for (size_t l = 0; l < to_light_.size(); ++l)
+    if (lit_[i] >> l & 1)
+      color += phong_light(paint.kd, paint.ks, Real(m.ns), Real(m.opacity), surface.normal, -batch_rays_[i].dir,
+                           to_light_[l], light_color_[l]);
+  return color;
+}
+
 template <typename Real>
 void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHit> primary_hits, TraceStats& stats) {
   const Scene& scene = job_.scene;
-  const Vec3<Real> light(job_.light.color), ambient(job_.ambient), background(job_.background);
   while (!rays_.empty()) {
     const double started_ms = thread_cpu_ms();
     take_batch();
@@ -194,21 +224,17 @@ void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHi
     for (size_t i = 0; i < hits_.size(); ++i) {
       const Tag& tag = batch_tags_[i];
       if (!hits_[i].found()) {
-        colors[tag.pixel] += tag.weight * background;
+        colors[tag.pixel] += tag.weight * background_;
         continue;
       }
       if (tag.generation == 0) {
-        primary_hits[tag.pixel] = {hits_[i].triangle, lit_[i] != 0};
+        primary_hits[tag.pixel] = {hits_[i].triangle, lit_[i]};
         ++stats.pixels_hit;
       }
       const Surface<Real>& surface = surfaces_[i];
-      const Material& m = scene.materials[surface.material];
       const SurfaceColors<Real> paint = colors_of(i);
-      const Vec3<Real>& dir = batch_rays_[i].dir;
-      colors[tag.pixel] +=
-          tag.weight * phong(paint.kd, paint.ks, paint.ke, Real(m.ns), Real(m.opacity), surface.normal, -dir,
-                             to_light_, ambient, light, Real(lit_[i]));
-      scatter_on(tag, hits_[i].triangle, surface, paint.reflect, dir, tag.path + hits_[i].t, stats);
+      colors[tag.pixel] += tag.weight * color_of(i, paint);
+      scatter_on(tag, hits_[i].triangle, surface, paint.reflect, batch_rays_[i].dir, tag.path + hits_[i].t, stats);
     }
     if (!primary) stats.secondary_cpu_ms += thread_cpu_ms() - started_ms;
   }

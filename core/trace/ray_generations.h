@@ -2,10 +2,10 @@
 
 #include "core/trace/ray_caster.h"
 #include "core/trace/scatter.h"
+#include "core/trace/shadow_queue.h"
 #include "core/trace/texture_lookup.h"
 #include "core/trace/trace_job.h"
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,7 +28,7 @@ class RayGenerations {
   /// What a step found out about the primary generation; see shade_primary_hits.
   struct PrimaryHit {
     uint32_t triangle = kNoTriangle;
-    bool lit = false;
+    uint8_t lit = 0;  ///< bit i: light i arrives
   };
 
   /// Queues the ray through the centre of a pixel; `pixel` is its place in the tile.
@@ -54,9 +54,10 @@ class RayGenerations {
 
   void set_solid_angle(uint32_t pixel, Real solid_angle);
   void take_batch();
+  void queue_shadow_rays(size_t in_batch);
   void ask_shadow_rays(TraceStats& stats);
-  std::optional<ShadowQuery> shadow_query(size_t in_batch) const;
   int body_side(uint32_t triangle, const Surface<Real>& surface) const;
+  Vec3<Real> color_of(size_t in_batch, const SurfaceColors<Real>& paint) const;
   SurfaceColors<Real> colors_of(size_t in_batch) const;
   void scatter_on(const Tag& from, uint32_t triangle, const Surface<Real>& surface, const Vec3<Real>& reflect,
                   const Vec3<Real>& dir, Real path, TraceStats& stats);
@@ -64,22 +65,23 @@ class RayGenerations {
 
   const TraceJob& job_;
   const RayCaster<Real>* caster_;
-  const Vec3<Real> to_light_;
+  const Vec3<Real> ambient_, background_;
+  std::vector<Vec3<Real>> to_light_, light_color_;  ///< of each light
+  const bool asks_buffers_;
+  std::span<const int8_t> sides_;  ///< Sheets::sides; empty where no light has a buffer
 
   std::vector<Ray<Real>> rays_;  ///< the queue, newest last
   std::vector<Tag> tags_;
-  std::vector<dvec3> primary_dirs_;  ///< of each pixel of the tile, as primary_shadow_query takes them
+  std::vector<dvec3> primary_dirs_;  ///< of each pixel of the tile, as for_each_facing_light takes them
   std::vector<Real> solid_angles_;   ///< of each pixel of the tile; only where the scene has textures
 
   // The batch in work.
   std::vector<Ray<Real>> batch_rays_;
-  std::vector<Ray<Real>> shadow_rays_;       ///< or, with a light buffer,
-  std::vector<ShadowQuery> shadow_queries_;
   std::vector<Tag> batch_tags_;
   std::vector<Hit<Real>> hits_;
   std::vector<Surface<Real>> surfaces_;
-  std::vector<uint32_t> shadow_owner_;
-  std::vector<uint8_t> occluded_, lit_;
+  std::vector<ShadowQueue<Real>> shadow_queues_;  ///< of each light; owners are places in the batch
+  std::vector<uint8_t> lit_;                      ///< as PrimaryHit::lit
 };
 
 /// Thread time in milliseconds, for differences.

@@ -22,39 +22,56 @@ uint8_t mask_of(ShadowCertainty certainty) {
   return HRT_MASK_MARKED;
 }
 
+/// Takes what its cell of the light buffer settles out of a chunk. `mask` and `lit`: the light's.
+void settle_chunk(const LightBuffer& buffer, UnsettledShadows::Chunk& chunk, std::span<uint8_t> mask,
+                  std::span<uint8_t> lit) {
+  auto& [queries, pixels] = chunk;
+  std::vector<ShadowCertainty> certainties(queries.size());
+  certify(buffer, queries, certainties);
+  size_t kept = 0;
+  for (size_t i = 0; i < pixels.size(); ++i) {
+    mask[pixels[i]] = mask_of(certainties[i]);
+    lit[pixels[i]] = mask[pixels[i]] & HRT_MASK_LIT;
+    if (!(mask[pixels[i]] & HRT_MASK_MARKED)) continue;
+    queries[kept] = queries[i];
+    pixels[kept++] = pixels[i];
+  }
+  queries.resize(kept);
+  pixels.resize(kept);
+}
+
 }  // namespace
 
 void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint32_t> ids, std::span<uint8_t> mask,
                     std::span<uint8_t> lit, UnsettledShadows& unsettled) {
-  HRT_CHECK(job.light_buffer && ids.size() == mask.size() && ids.size() == lit.size());
+  const size_t lights = job.lights.size(), pixel_count = ids.size();
+  HRT_CHECK(lights * pixel_count == mask.size() && mask.size() == lit.size());
   const auto width = static_cast<size_t>(job.view.width_px);
-  unsettled.chunks.resize((ids.size() + kPixelsAChunk - 1) / kPixelsAChunk);
-  parallel_for(pool, ids.size(), kPixelsAChunk, [&](size_t begin, size_t end) {
-    auto& [queries, pixels] = unsettled.chunks[begin / kPixelsAChunk];
-    queries.clear(), pixels.clear();
+  const size_t chunks = (pixel_count + kPixelsAChunk - 1) / kPixelsAChunk;
+  unsettled.chunks.resize(lights * chunks);
+  parallel_for(pool, pixel_count, kPixelsAChunk, [&](size_t begin, size_t end) {
+    const auto chunk_of = [&](size_t l) -> auto& { return unsettled.chunks[l * chunks + begin / kPixelsAChunk]; };
+    for (size_t l = 0; l < lights; ++l) {
+      chunk_of(l).queries.clear(), chunk_of(l).pixels.clear();
+      for (size_t i = begin; i < end; ++i) {
+        mask[l * pixel_count + i] = ids[i] == kNoTriangle ? HRT_MASK_NO_RECEIVER : 0;
+        lit[l * pixel_count + i] = 0;
+      }
+    }
     for (size_t i = begin; i < end; ++i) {
-      mask[i] = ids[i] == kNoTriangle ? HRT_MASK_NO_RECEIVER : 0;
-      lit[i] = 0;
       if (ids[i] == kNoTriangle) continue;
       const dvec3 dir = glm::normalize(job.view.pixel_dir(static_cast<int>(i % width), static_cast<int>(i / width)));
-      auto query = primary_shadow_query(job.scene, ids[i], job.view.eye, dir, job.light.toward);
-      if (!query) continue;  // the unlit side
-      query->anywhere = job.eye_enclosed;
-      queries.push_back(*query);
-      pixels.push_back(static_cast<uint32_t>(i));
+      for_each_facing_light(job.scene, ids[i], job.view.eye, dir, job.lights, [&](size_t l, const ShadowQuery& query) {
+        if (!job.casts_shadow(l)) return;
+        chunk_of(l).queries.push_back(query);
+        chunk_of(l).queries.back().anywhere = job.eye_enclosed;
+        chunk_of(l).pixels.push_back(static_cast<uint32_t>(i));
+      });
     }
-    std::vector<ShadowCertainty> certainties(queries.size());
-    certify(*job.light_buffer, queries, certainties);
-    size_t kept = 0;
-    for (size_t i = 0; i < pixels.size(); ++i) {
-      mask[pixels[i]] = mask_of(certainties[i]);
-      lit[pixels[i]] = mask[pixels[i]] & HRT_MASK_LIT;
-      if (!(mask[pixels[i]] & HRT_MASK_MARKED)) continue;
-      queries[kept] = queries[i];
-      pixels[kept++] = pixels[i];
-    }
-    queries.resize(kept);
-    pixels.resize(kept);
+    for (size_t l = 0; l < lights; ++l)
+      if (job.casts_shadow(l))
+        settle_chunk(*job.lights[l].buffer, chunk_of(l), mask.subspan(l * pixel_count, pixel_count),
+                     lit.subspan(l * pixel_count, pixel_count));
   });
 }
 
@@ -62,12 +79,17 @@ TraceStats answer_unsettled(const TraceJob& job, ThreadPool& pool, const Unsettl
                             std::span<uint8_t> lit) {
   TraceStats total;
   std::mutex mutex;
+  if (job.lights.empty()) return total;
+  const size_t chunks = unsettled.chunks.size() / job.lights.size(), pixel_count = lit.size() / job.lights.size();
   pool.run(unsettled.chunks.size(), [&](size_t chunk, int) {
     const auto& [queries, pixels] = unsettled.chunks[chunk];
+    if (queries.empty()) return;
+    const size_t light = chunk / chunks;
     const double started_ms = thread_cpu_ms();
     std::vector<uint8_t> occluded(queries.size());
-    shadow_answers(*job.light_buffer, queries, occluded);
-    for (size_t i = 0; i < pixels.size(); ++i) lit[pixels[i]] = occluded[i] ? 0 : HRT_MASK_LIT;
+    shadow_answers(*job.lights[light].buffer, queries, occluded);
+    for (size_t i = 0; i < pixels.size(); ++i)
+      lit[light * pixel_count + pixels[i]] = occluded[i] ? 0 : HRT_MASK_LIT;
     TraceStats stats;
     stats.pixels_marked = stats.shadow_rays = stats.primary_shadow_rays = static_cast<int64_t>(queries.size());
     stats.shadow_cpu_ms = thread_cpu_ms() - started_ms;

@@ -22,10 +22,12 @@ using Vec3 = glm::dvec3;
 namespace hybridrt {
 using surface_double::clamped_barycentrics;
 using surface_double::normalized_or;
-using surface_double::phong;
+using surface_double::phong_light;
+using surface_double::phong_unlit;
 using surface_double::turned_toward;
 using surface_single::clamped_barycentrics;
 using surface_single::normalized_or;
-using surface_single::phong;
+using surface_single::phong_light;
+using surface_single::phong_unlit;
 using surface_single::turned_toward;
 }  // namespace hybridrt

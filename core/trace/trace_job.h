@@ -4,25 +4,39 @@
 #include "core/scene/view.h"
 #include "core/trace/light_buffer.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace hybridrt {
 
-/// What the CPU tracer needs to know of a frame. Refers to scene and view, which must outlive it.
+/// A light and what answers its shadow rays.
+struct TracedLight {
+  DirectionalLight light;
+  const LightBuffer* buffer = nullptr;  ///< of `light`; null: it casts no shadow, or its shadow rays are traced
+};
+
+/// What the CPU tracer needs to know of a frame. Refers to scene, view and light buffers, which must outlive it.
 struct TraceJob {
   const Scene& scene;
   const View& view;
-  DirectionalLight light;
+  std::vector<TracedLight> lights;  ///< at most HRT_MAX_LIGHTS (shaders/shared.h); all that cast shadows have buffers,
+                                    ///< or none has
   bool shadows = true;       ///< shadow rays at the hits of reflected and refracted rays
   int reflection_depth = 4;  ///< generations after the primary one
   vec3 ambient{0.15f};       ///< times Kd
   vec3 background{0.7f};     ///< what rays see that meet nothing
 
-  const LightBuffer* light_buffer = nullptr;  ///< of `light`; null: shadow rays are traced like any other
-  bool eye_enclosed = false;                  ///< see may_be_enclosed
+  bool eye_enclosed = false;  ///< see may_be_enclosed
+
+  /// Whether buffers answer the shadow rays; else they are traced like any other.
+  bool has_buffers() const {
+    return std::any_of(lights.begin(), lights.end(), [](const TracedLight& traced) { return traced.buffer; });
+  }
+  bool casts_shadow(size_t light) const { return shadows && lights[light].light.casts_shadow; }
 };
 
-/// What pass 4 did. Rays are counted when they are fired.
+/// What pass 4 did. Rays are counted when they are fired; a pixel is marked once a light that it asks.
 struct TraceStats {
   int64_t pixels_hit = 0, pixels_marked = 0, pixels_reflective = 0, pixels_refractive = 0;
   int64_t shadow_rays = 0;          ///< all generations

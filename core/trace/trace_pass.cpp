@@ -4,6 +4,7 @@
 #include "core/trace/ray_generations.h"
 #include "shaders/shared.h"
 
+#include <bit>
 #include <mutex>
 
 namespace hybridrt {
@@ -55,7 +56,12 @@ Surface<float> surface_from(const TraceJob& job, uint32_t triangle, const dvec3&
 class TileTrace {
  public:
   TileTrace(const TraceJob& job, const RayCaster<float>* caster, const TracePixels& pixels)
-      : job_(job), caster_(caster), pixels_(pixels), generations_(job, caster) {}
+      : job_(job),
+        caster_(caster),
+        pixels_(pixels),
+        generations_(job, caster),
+        asks_buffers_(job.has_buffers()),
+        shadow_queues_(job.lights.size()) {}
 
   void run(const Tile& tile, TraceStats& stats) {
     std::vector<vec3> colors(pixels_.traced.empty() ? 0 : tile.pixel_count());
@@ -79,23 +85,33 @@ class TileTrace {
   void visit(int x, int y, uint32_t in_tile, TraceStats& stats) {
     const size_t index = index_of(x, y);
     const uint32_t triangle = pixels_.ids[index];
-    const bool wants_lit = !pixels_.lit.empty();
-    if (wants_lit) pixels_.lit[index] = 0;
+    const unsigned asked = pixels_.lit.empty() ? 0 : take_over_settled(index, triangle);
     if (triangle == kNoTriangle) return;
     ++stats.pixels_hit;
+    stats.pixels_marked += std::popcount(asked);
 
-    const bool marked = pixels_.mask.empty() || (pixels_.mask[index] & HRT_MASK_MARKED);
     const Material& material = job_.scene.material_of(triangle);
     const bool scatters = !pixels_.traced.empty() && (material.reflective() || material.transmissive());
-    if (wants_lit) {
-      stats.pixels_marked += marked;
-      if (!marked) pixels_.lit[index] = pixels_.mask[index] & HRT_MASK_LIT;
-    }
-    if (!(wants_lit && marked) && !scatters) return;
+    if (asked == 0 && !scatters) return;
 
     const dvec3 dir = glm::normalize(job_.view.pixel_dir(x, y));
-    if (wants_lit && marked) ask_light(index, triangle, dir);
+    if (asked != 0) ask_lights(asked, index, triangle, dir);
     if (scatters) scatter(x, y, in_tile, triangle, dir, stats);
+  }
+
+  /// Writes the answers that pass 3 has already. Returns the lights (bits) that the pixel asks.
+  unsigned take_over_settled(size_t index, uint32_t triangle) const {
+    unsigned asked = 0;
+    for (size_t l = 0; l < job_.lights.size(); ++l) {
+      const size_t at = l * pixels_.ids.size() + index;
+      pixels_.lit[at] = 0;
+      if (triangle == kNoTriangle || !job_.casts_shadow(l)) continue;
+      if (pixels_.mask.empty() || (pixels_.mask[at] & HRT_MASK_MARKED))
+        asked |= 1u << l;
+      else
+        pixels_.lit[at] = pixels_.mask[at] & HRT_MASK_LIT;
+    }
+    return asked;
   }
 
   void scatter(int x, int y, uint32_t in_tile, uint32_t triangle, const dvec3& dir, TraceStats& stats) {
@@ -106,7 +122,7 @@ class TileTrace {
     float distance = 0, solid_angle = 0;
     if (job_.scene.textures) {
       distance = static_cast<float>(glm::distance(job_.view.eye, dvec3(surface.point)));
-      solid_angle = static_cast<float>(job_.view.pixel_solid_angle(x, y));
+      solid_angle = static_cast<float>(job_.view.sample_solid_angle(x, y));
       if (material.texture_maps != 0)
         reflect = textured_colors(job_.scene, triangle, static_cast<float>(weights.y), static_cast<float>(weights.z),
                                   vec3(dir), solid_angle, distance)
@@ -115,41 +131,47 @@ class TileTrace {
     generations_.add_scattered(in_tile, triangle, surface, reflect, vec3(dir), distance, solid_angle, stats);
   }
 
-  void ask_light(size_t index, uint32_t triangle, const dvec3& dir) {
-    if (job_.light_buffer) {
-      auto query = primary_shadow_query(job_.scene, triangle, job_.view.eye, dir, job_.light.toward);
-      if (!query) return;
-      query->anywhere = job_.eye_enclosed;
-      shadow_queries_.push_back(*query);
-    } else {
-      const Surface<float> surface =
-          surface_from(job_, triangle, seen_barycentrics(job_.scene, triangle, job_.view.eye, dir), dir);
-      const vec3 to_light(job_.light.toward);
-      if (glm::dot(surface.side, to_light) <= 0) return;  // the unlit side needs no ray
-      shadow_rays_.push_back(leave(surface, to_light));
+  void ask_lights(unsigned asked, size_t index, uint32_t triangle, const dvec3& dir) {
+    if (asks_buffers_)
+      for_each_facing_light(job_.scene, triangle, job_.view.eye, dir, job_.lights,
+                            [&](size_t l, const ShadowQuery& query) {
+                              if (!(asked >> l & 1)) return;
+                              shadow_queues_[l].queries.push_back(query);
+                              shadow_queues_[l].queries.back().anywhere = job_.eye_enclosed;
+                              shadow_queues_[l].owners.push_back(index);
+                            });
+    else
+      ask_lights_by_rays(asked, index, triangle, dir);
+  }
+
+  void ask_lights_by_rays(unsigned asked, size_t index, uint32_t triangle, const dvec3& dir) {
+    const Surface<float> surface =
+        surface_from(job_, triangle, seen_barycentrics(job_.scene, triangle, job_.view.eye, dir), dir);
+    for (size_t l = 0; l < shadow_queues_.size(); ++l) {
+      const vec3 to_light(job_.lights[l].light.toward);
+      if (!(asked >> l & 1) || glm::dot(surface.side, to_light) <= 0) continue;  // the unlit side needs no ray
+      shadow_queues_[l].rays.push_back(leave(surface, to_light));
+      shadow_queues_[l].owners.push_back(index);
     }
-    shadow_owner_.push_back(index);
   }
 
   void ask_shadow_rays(TraceStats& stats) {
-    occluded_.resize(shadow_owner_.size());
-    if (job_.light_buffer)
-      shadow_answers(*job_.light_buffer, shadow_queries_, occluded_);
-    else
-      caster_->any_hits(shadow_rays_, occluded_);
-    for (size_t i = 0; i < occluded_.size(); ++i) pixels_.lit[shadow_owner_[i]] = occluded_[i] ? 0 : HRT_MASK_LIT;
-    stats.shadow_rays += static_cast<int64_t>(shadow_owner_.size());
-    stats.primary_shadow_rays += static_cast<int64_t>(shadow_owner_.size());
+    for (size_t l = 0; l < shadow_queues_.size(); ++l) {
+      ShadowQueue<float>& queue = shadow_queues_[l];
+      queue.answer(job_.lights[l], caster_);
+      const std::span<uint8_t> lit = pixels_.lit.subspan(l * pixels_.lit.size() / shadow_queues_.size());
+      for (size_t i = 0; i < queue.owners.size(); ++i) lit[queue.owners[i]] = queue.occluded[i] ? 0 : HRT_MASK_LIT;
+      stats.shadow_rays += static_cast<int64_t>(queue.owners.size());
+      stats.primary_shadow_rays += static_cast<int64_t>(queue.owners.size());
+    }
   }
 
   const TraceJob& job_;
   const RayCaster<float>* caster_;
   const TracePixels& pixels_;
   RayGenerations<float> generations_;
-  std::vector<ShadowQuery> shadow_queries_;  ///< or
-  std::vector<Ray<float>> shadow_rays_;
-  std::vector<size_t> shadow_owner_;
-  std::vector<uint8_t> occluded_;
+  const bool asks_buffers_;
+  std::vector<ShadowQueue<float>> shadow_queues_;  ///< of each light; owners are pixels
 };
 
 }  // namespace
@@ -178,7 +200,8 @@ TraceStats trace_frame(const TraceJob& job, const RayCaster<Real>& caster, Threa
         const bool hit = primary[in_tile].triangle != kNoTriangle;
         frame.picture[index] = vec4(vec3(colors[in_tile]), hit ? 1 : 0);
         frame.ids[index] = primary[in_tile].triangle;
-        frame.lit[index] = primary[in_tile].lit ? HRT_MASK_LIT : 0;
+        for (size_t l = 0; l < job.lights.size(); ++l)
+          frame.lit[l * frame.ids.size() + index] = primary[in_tile].lit >> l & 1 ? HRT_MASK_LIT : 0;
       }
   });
 }

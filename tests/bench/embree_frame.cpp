@@ -29,7 +29,7 @@ void set_ray(RTCRay& ray, const vec3& origin, const vec3& dir) {
 /// One thread's work on one frame.
 class Painter {
  public:
-  Painter(const TraceJob& job, RTCScene scene) : job_(job), scene_(scene), to_light_(job.light.toward) {
+  Painter(const TraceJob& job, RTCScene scene) : job_(job), scene_(scene), to_light_(job.lights.at(0).light.toward) {
     rtcInitIntersectContext(&coherent_);
     coherent_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcInitIntersectContext(&incoherent_);
@@ -79,8 +79,10 @@ class Painter {
  private:
   vec3 shade(const Surface<float>& surface, const vec3& dir, bool lit) const {
     const Material& m = job_.scene.materials[surface.material];
-    return phong(m.kd, m.ks, m.ke, m.ns, m.opacity, surface.normal, -dir, to_light_, job_.ambient, job_.light.color,
-                 lit ? 1.0f : 0.0f);
+    const vec3 unlit = phong_unlit(m.kd, m.ke, m.opacity, job_.ambient);
+    return lit ? unlit + phong_light(m.kd, m.ks, m.ns, m.opacity, surface.normal, -dir, to_light_,
+                                     job_.lights[0].light.color)
+               : unlit;
   }
 
   vec3 scattered(const Surface<float>& surface, const vec3& dir, const vec3& weight, int generation) {

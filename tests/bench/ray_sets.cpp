@@ -34,7 +34,7 @@ BenchScene load_bench_scene(const std::string& argument, ThreadPool& pool) {
       shot.camera ? *shot.camera
                   : camera_on_orbit(default_orbit(made.scene, double(kWidth_px) / kHeight_px, 0.7), 0.07);
   made.view = make_view(camera, made.scene.origin_world, kWidth_px, kHeight_px);
-  made.toward = shot.light ? glm::normalize(shot.light->toward)
+  made.toward = shot.lights ? glm::normalize(shot.lights->front().toward)
                            : glm::normalize(dvec3(0, 1, 0) - 0.6 * made.view.right + 0.3 * made.view.forward);
   return made;
 }

@@ -122,11 +122,11 @@ void add_frames(Workload& work, int threads) {
   const auto picture = std::make_shared<std::vector<vec4>>(pixels);
   const auto ids = std::make_shared<std::vector<uint32_t>>(pixels);
   const auto lit = std::make_shared<std::vector<uint8_t>>(pixels);
-  const TraceJob plain{work.bench.scene, view, {work.bench.toward, vec3(1)}};
+  const TraceJob plain{work.bench.scene, view, {{{work.bench.toward, vec3(1)}}}};
   const auto add_ours = [&](const std::string& name, const RayCaster<float>& caster, const LightBuffer* buffer) {
     add("frame/" + name, [&work, &caster, buffer, plain, picture, ids, lit](benchmark::State& state) {
       TraceJob job = plain;
-      job.light_buffer = buffer;
+      job.lights[0].buffer = buffer;
       for (auto _ : state) trace_frame(job, caster, work.pool, TracedFrame<float>{*picture, *ids, *lit});
     })->UseRealTime();
   };

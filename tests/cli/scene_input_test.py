@@ -136,8 +136,11 @@ class SceneInputTest(unittest.TestCase):
             return self.render(self.write_json("bad.json", value), "x.png", code=3)
         good = {"meshes": ["pyramid.obj"]}
         self.assertIn("unknown key 'light'", fault({**good, "light": 1}))
-        self.assertIn("several lights", fault({**good, "lights": [{"type": "directional", "toward": [0, 1, 0]}] * 2}))
-        self.assertIn("'point' lights are not supported", fault({**good, "lights": [{"type": "point"}]}))
+        self.assertIn("there are 9 lights; at most 8",
+                      fault({**good, "lights": [{"type": "directional", "toward": [0, 1, 0]}] * 9}))
+        for kind in ("point", "spot", "environment"):
+            self.assertIn(f"lights[0].type: type '{kind}' is not supported yet; directional lights are",
+                          fault({**good, "lights": [{"type": kind, "position": [0, 1, 0]}]}))
         self.assertIn("no render option 'sizes'", fault({**good, "settings": {"sizes": "3x3"}}))
         self.assertIn("--size 0x0", fault({**good, "settings": {"size": "0x0"}}))
         self.assertIn("gone.obj cannot be opened", fault({"meshes": ["gone.obj"]}))
@@ -169,6 +172,50 @@ class SceneInputTest(unittest.TestCase):
             self.assertTrue(self.same("l.0001.png", "f.0001.png"))
             self.render("pyramid.obj", "last.png", "--camera", "l.json", "--frames", "3-3", *method)
             self.assertTrue(self.same("l.0003.png", "last.png"), "a frame does not depend on those before it")
+
+    def scene_with_lights(self, name, *directions, **more):
+        lights = [{"type": "directional", "toward": toward, "color": 0.5} for toward in directions]
+        camera = {} if "camera_path" in more else {"camera": {"eye": [1, 3, 6], "target": [0, 0.5, 0]}}
+        return self.write_json(name, {"meshes": ["pyramid.obj"], "lights": lights, **camera, **more})
+
+    def test_several_lights(self):
+        left, right = [-1, 2, 1], [1, 2, 1]
+        self.scene_with_lights("none.json")
+        self.scene_with_lights("left.json", left)
+        self.scene_with_lights("both.json", left, right)
+        self.scene_with_lights("other_way.json", right, left)
+        for method in (("--method", "raytrace"), ("--method", "hybrid"), ("--method", "hybrid", "--shadows", "blur")):
+            for name in ("none", "left", "both", "other_way"):
+                self.render(name + ".json", name + ".png", *method)
+            pictures = {name: b"".join(self.pixels(name + ".png")[2]) for name in ("none", "left", "both", "other_way")}
+            self.assertTrue(all(a <= b <= c for a, b, c in zip(*(pictures[n] for n in ("none", "left", "both")))))
+            self.assertEqual(len({pictures[n] for n in ("none", "left", "both")}), 3)
+            self.assertTrue(all(abs(a - b) <= 1 for a, b in zip(pictures["both"], pictures["other_way"])))
+            # --light replaces them all, in the colour of the first.
+            self.render("both.json", "replaced.png", "--light", "-1,2,1", *method)
+            self.assertTrue(self.same("replaced.png", "left.png"))
+        report = json.loads(self.run_binary("inspect", "both.json", "--json").stdout)
+        self.assertEqual([light["color"] for light in report["frame"]["lights"]], [[0.5, 0.5, 0.5]] * 2)
+        self.assertAlmostEqual(report["frame"]["lights"][1]["toward"][0], 1 / 6 ** 0.5)
+        self.assertEqual(json.loads(self.run_binary("inspect", "none.json", "--json").stdout)["frame"]["lights"], [])
+        text = self.run_binary("inspect", "both.json").stdout
+        self.assertEqual(text.count("toward the light"), 2)
+        self.assertIn("for each of 2 lights", text)
+        self.assertIn("none: ambient light and Ke only", self.run_binary("inspect", "none.json").stdout)
+
+    def test_keys_move_the_first_of_several_lights(self):
+        keys = {"keyframes": [self.key(1, [0, 2, 7], light=[1, 2, 1]), self.key(3, [0, 2, 7], light=[-1, 2, 1])]}
+        still = {"keyframes": [self.key(1, [0, 2, 7])]}
+        self.scene_with_lights("moving.json", [0, 1, 0], [0.2, 1, 2], camera_path=keys)
+        self.scene_with_lights("last.json", [-1, 2, 1], [0.2, 1, 2], camera_path=still)
+        for method in (("--method", "raytrace"), ("--method", "hybrid", "--shadows", "map")):
+            self.render("moving.json", "m.####.png", "--frames", "1-3", *method)
+            self.render("last.json", "last.png", *method)
+            self.assertFalse(self.same("m.0001.png", "m.0003.png"))
+            self.assertTrue(self.same("m.0003.png", "last.png"))
+        self.scene_with_lights("dark.json", camera_path=keys)
+        self.assertIn("the scene's list of lights is empty",
+                      self.run_binary("render", "dark.json", "--method", "raytrace", "--size", "8x8").stderr)
 
     def test_light_follows_camera(self):
         # The pyramid looks alike from all four sides, so a turn by 90 degrees with the light changes nothing.

@@ -131,7 +131,7 @@ TEST_F(RendererLimits, TooLargePicturesAreRefusedBeforeAnyWork) {
     settings.shadows = ShadowMode::map;
     settings.*member = limit + 1;
     const std::string message =
-        device_error([&] { GlRenderer(context(), gl::embedded_shaders(), scene, settings, nullptr, pool); });
+        device_error([&] { GlRenderer(context(), gl::embedded_shaders(), scene, settings, 1, nullptr, pool); });
     EXPECT_NE(message.find("GL_MAX_TEXTURE_SIZE"), std::string::npos) << message;
     EXPECT_NE(message.find(std::to_string(limit)), std::string::npos) << message;
   }

@@ -42,7 +42,7 @@ TEST_P(ExactShadows, AreThoseOfTheReference) {
   const View view = make_view(camera_at(job.motion, 1), job.scene.origin_world, 512, 384);
   int64_t receivers = 0, wrong_shadows = 0, wrong_triangles = 0, marked = 0;
   for (const dvec3& toward : lights(camera_at(job.motion, 1))) {
-    job.light.light.toward = glm::normalize(toward);
+    job.lights.lights[0].toward = glm::normalize(toward);
     job.settings.method = Method::hybrid;
     job.settings.shadows = ShadowMode::exact;
     const Frame exact = std::move(render_all(job).front());

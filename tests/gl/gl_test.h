@@ -27,11 +27,11 @@ class GlTest : public testing::Test {
   std::unique_ptr<gl::Context> context_;
 };
 
-/// A texture's pixels, rows tightly packed, row 0 first.
+/// A texture's pixels, rows tightly packed, row 0 first, layer after layer.
 template <typename Pixel>
-std::vector<Pixel> read_pixels(const gl::Functions& gl, const gl::Texture& texture, int width_px,
-                               int height_px, GLenum format, GLenum type) {
-  std::vector<Pixel> pixels(static_cast<size_t>(width_px) * height_px);
+std::vector<Pixel> read_pixels(const gl::Functions& gl, const gl::TextureName& texture, int width_px,
+                               int height_px, GLenum format, GLenum type, size_t layers = 1) {
+  std::vector<Pixel> pixels(layers * width_px * height_px);
   gl::Readback readback(gl, pixels.size() * sizeof(Pixel), "test readback");
   readback.start(texture, format, type);
   readback.wait();
@@ -45,6 +45,16 @@ void write_pixels(const gl::Functions& gl, const gl::Texture& texture, int width
                   GLenum format, GLenum type, const std::vector<Pixel>& pixels) {
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TextureSubImage2D(texture.id(), 0, 0, 0, width_px, height_px, format, type, pixels.data());
+  gl::throw_on_error(gl, "test upload");
+}
+
+/// All layers of an array, one after the other.
+template <typename Pixel>
+void write_layers(const gl::Functions& gl, const gl::TextureArray& texture, int width_px, int height_px, GLenum format,
+                  GLenum type, const std::vector<Pixel>& pixels) {
+  const auto layers = static_cast<GLsizei>(pixels.size() / (static_cast<size_t>(width_px) * height_px));
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TextureSubImage3D(texture.id(), 0, 0, 0, 0, width_px, height_px, layers, format, type, pixels.data());
   gl::throw_on_error(gl, "test upload");
 }
 

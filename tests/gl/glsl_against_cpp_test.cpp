@@ -64,11 +64,12 @@ float largest_difference(const vec3& a, const vec3& b) {
 
 struct PhongCase {
   vec3 kd, ks, ke, normal, to_eye, to_light, ambient, light;
-  float ns, opacity, lit;
+  float ns, opacity;
 };
 
 vec3 color_of(const PhongCase& c, const vec3& to_light) {
-  return phong(c.kd, c.ks, c.ke, c.ns, c.opacity, c.normal, c.to_eye, to_light, c.ambient, c.light, c.lit);
+  return phong_unlit(c.kd, c.ke, c.opacity, c.ambient) +
+         phong_light(c.kd, c.ks, c.ns, c.opacity, c.normal, c.to_eye, to_light, c.light);
 }
 
 PhongCase random_phong(Random& random, int i) {
@@ -81,10 +82,8 @@ PhongCase random_phong(Random& random, int i) {
               random.color(),
               random.color(),
               0,
-              random.unit(),
-              0};
+              random.unit()};
   c.ns = i % 8 == 0 ? 0 : std::exp2(10 * random.unit());  // up to 1024
-  c.lit = i % 5 == 0 ? 0.0f : 1.0f;
   if (i % 7 == 0) c.to_light = -c.normal;                                        // from behind
   if (i % 11 == 0) c.to_light = -c.to_eye;                                       // no half vector
   if (i % 13 == 0) c.to_light = glm::normalize(glm::cross(c.normal, c.to_eye));  // at the horizon
@@ -98,16 +97,14 @@ TEST_F(GlslAgainstCpp, Phong) {
   std::vector<vec4> inputs;
   for (int i = 0; i < kCases; ++i) {
     const PhongCase c = cases.emplace_back(random_phong(random, i));
-    for (const vec4& texel : {vec4(c.kd, c.ns), vec4(c.ks, c.opacity), vec4(c.ke, c.lit), vec4(c.normal, 0),
+    for (const vec4& texel : {vec4(c.kd, c.ns), vec4(c.ks, c.opacity), vec4(c.ke, 0), vec4(c.normal, 0),
                               vec4(c.to_eye, 0), vec4(c.to_light, 0), vec4(c.ambient, 0), vec4(c.light, 0)})
       inputs.push_back(texel);
   }
   const std::vector<vec4> colors = run_glsl(
-      "  result = vec4(phong(input_at(0).rgb, input_at(1).rgb, input_at(2).rgb, input_at(0).a, "
-      "input_at(1).a,\n"
-      "                      input_at(3).xyz, input_at(4).xyz, input_at(5).xyz, input_at(6).rgb, "
-      "input_at(7).rgb,\n"
-      "                      input_at(2).a), 1.0);\n",
+      "  result = vec4(phong_unlit(input_at(0).rgb, input_at(2).rgb, input_at(1).a, input_at(6).rgb) +\n"
+      "                phong_light(input_at(0).rgb, input_at(1).rgb, input_at(0).a, input_at(1).a, input_at(3).xyz,\n"
+      "                            input_at(4).xyz, input_at(5).xyz, input_at(7).rgb), 1.0);\n",
       inputs, 8);
   float worst = 0;
   for (int i = 0; i < kCases; ++i) {

@@ -15,14 +15,14 @@ class KeptShadowMap : public GlTest {
     settings.frames_in_flight = slots;
     const auto caster = make_embree_caster(job_.scene, 1);
     ThreadPool pool(2);
-    GlRenderer renderer(context(), gl::embedded_shaders(), job_.scene, settings, caster.get(), pool);
+    GlRenderer renderer(context(), gl::embedded_shaders(), job_.scene, settings, 1, caster.get(), pool);
     size_t begun = 0;
     std::vector<Frame> frames;
     renderer.render(
         [&]() -> std::optional<FrameRequest> {
           if (begun == lights.size()) return std::nullopt;
           const DirectionalLight light{glm::normalize(lights[begun]), vec3(1)};
-          return FrameRequest{static_cast<int>(++begun), camera_at(job_.motion, 1), light};
+          return FrameRequest{static_cast<int>(++begun), camera_at(job_.motion, 1), {light}};
         },
         [&](Frame&& frame) { frames.push_back(std::move(frame)); });
     return frames;

@@ -35,11 +35,19 @@ class MarkPass : public GlTest {
  protected:
   void expect_blur(const Mask& mask, int width, int height, int kernel) {
     const MarkBoundaryPass pass(gl(), gl::embedded_shaders());
-    const gl::Texture in(gl(), GL_R8UI, width, height, "mask"), sums(gl(), GL_RG8UI, width, height, "sums"),
-        out(gl(), GL_R8UI, width, height, "marked");
-    write_pixels(gl(), in, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, mask);
-    pass.run({in, width, height, kernel}, {sums, out});
-    const Mask marked = read_pixels<uint8_t>(gl(), out, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+    const gl::Texture sums(gl(), GL_RG8UI, width, height, "sums");
+    const gl::TextureArray in(gl(), GL_R8UI, width, height, 3, "mask"), out(gl(), GL_R8UI, width, height, 3, "marked");
+    // In the middle layer; the others hold its opposite, and must not count.
+    Mask layers, untouched(3 * mask.size(), 77);
+    for (int layer = 0; layer < 3; ++layer)
+      for (const uint8_t value : mask) layers.push_back(layer == 1 ? value : value ^ HRT_MASK_LIT);
+    write_layers(gl(), in, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, layers);
+    write_layers(gl(), out, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, untouched);
+    pass.run({in, width, height, kernel, 1}, {sums, out});
+    const Mask all = read_pixels<uint8_t>(gl(), out, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 3);
+    const Mask marked(all.begin() + mask.size(), all.begin() + 2 * mask.size());
+    ASSERT_TRUE(std::all_of(all.begin(), all.begin() + mask.size(), [](uint8_t m) { return m == 77; }));
+    ASSERT_TRUE(std::all_of(all.begin() + 2 * mask.size(), all.end(), [](uint8_t m) { return m == 77; }));
     const Mask expected = marked_by_hand(mask, width, height, kernel);
     for (size_t i = 0; i < marked.size(); ++i)
       ASSERT_EQ(int(marked[i]), int(expected[i])) << "pixel " << i % width << ' ' << i / width << " of "

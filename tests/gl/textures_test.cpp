@@ -107,6 +107,16 @@ RenderJob room_job(int frames) {
   return job;
 }
 
+// Each method filters textures over a sample's part of the pixel.
+TEST_F(TexturesOnTheGpu, SamplesAreFilteredAlike) {
+  RenderJob job = room_job(1);
+  job.settings.width_px = 60, job.settings.height_px = 45;  // many texels a pixel
+  job.settings.samples = 4;
+  const auto hybrid = render_with(job, Method::hybrid, ShadowMode::exact),
+             reference = render_with(job, Method::reference, ShadowMode::rays);
+  EXPECT_LT(share_of_other_pixels(hybrid[0].picture, reference[0].picture), 0.01);
+}
+
 // Edges of triangles and of holes may fall to either side of a pixel's centre; all else is the same.
 TEST_F(TexturesOnTheGpu, HybridIsTheRaytracedPicture) {
   const RenderJob job = room_job(3);

@@ -184,22 +184,22 @@ TEST(LightMotion, FollowingLightIsStillAsSeenFromTheCamera) {
   orbit.radius = 5, orbit.height = 2;
   const CameraMotion motion{orbit, {1, 8, 1}};
   LightMotion light;
-  light.light.toward = glm::normalize(dvec3(1, 2, 3));
+  light.lights = {{glm::normalize(dvec3(1, 2, 3))}};
   light.mode = LightMode::with_camera;
   const auto seen = [&](int frame) {
     const View view = make_view(camera_at(motion, frame), dvec3(0), 4, 3);
-    const dvec3 toward = light_at(light, motion, frame).toward;
+    const dvec3 toward = lights_at(light, motion, frame)[0].toward;
     return dvec3(glm::dot(view.right, toward), glm::dot(view.up, toward), glm::dot(view.forward, toward));
   };
-  EXPECT_EQ(light_at(light, motion, 1).toward, light.light.toward);
+  EXPECT_EQ(lights_at(light, motion, 1)[0].toward, light.lights[0].toward);
   for (int frame = 2; frame <= 8; ++frame) {
     EXPECT_LT(glm::distance(seen(frame), seen(1)), 1e-12) << frame;
-    EXPECT_GT(glm::distance(light_at(light, motion, frame).toward, light.light.toward), 0.1) << "it moved";
-    EXPECT_NEAR(light_at(light, motion, frame).toward.y, light.light.toward.y, 1e-12)
+    EXPECT_GT(glm::distance(lights_at(light, motion, frame)[0].toward, light.lights[0].toward), 0.1) << "it moved";
+    EXPECT_NEAR(lights_at(light, motion, frame)[0].toward.y, light.lights[0].toward.y, 1e-12)
         << "a turn about the up axis";
   }
   light.mode = LightMode::fixed;
-  EXPECT_EQ(light_at(light, motion, 5).toward, light.light.toward);
+  EXPECT_EQ(lights_at(light, motion, 5)[0].toward, light.lights[0].toward);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ FrameRequest looking(const dvec3& eye, const dvec3& target) {
   FrameRequest request;
   request.number = 7;
   request.camera = {eye, target, {0, 1, 0}, 0.8};
-  request.light.toward = glm::normalize(dvec3(1, 2, 3));
+  request.lights = {{glm::normalize(dvec3(1, 2, 3))}};
   return request;
 }
 
@@ -52,7 +52,8 @@ RenderSettings with(Method method, ShadowMode shadows) {
 TEST(FramePlan, CarriesTheRequest) {
   const FramePlan plan = plan_for(plain_scene(), {});
   EXPECT_EQ(plan.number, 7);
-  EXPECT_EQ(plan.light.toward, kTowards.light.toward);
+  ASSERT_EQ(plan.lights.size(), 1u);
+  EXPECT_EQ(plan.lights[0].toward, kTowards.lights[0].toward);
   EXPECT_EQ(plan.view.width_px, 1024);
   EXPECT_GT(plan.near_distance, 0);
   EXPECT_LT(plan.near_distance, 0.001) << "it would cut away what is in view";

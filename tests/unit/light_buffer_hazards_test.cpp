@@ -162,9 +162,9 @@ TEST(LightBufferHazards, AWallNearlyAlongTheLightIsLitAlikeByFramesAndByPass4) {
   const auto caster = make_kd_caster(tree, LeafKernel::scalar);
   const Sheets sheets = loose(scene);
   for (const double lean : {1e-9, -1e-9}) {
-    TraceJob job{scene, view, {glm::normalize(dvec3(1 + lean, 1, 0)), vec3(1)}};
-    const LightBuffer buffer = build_light_buffer(scene, sheets, job.light.toward, pool);
-    job.light_buffer = &buffer;
+    TraceJob job{scene, view, {{{glm::normalize(dvec3(1 + lean, 1, 0)), vec3(1)}}}};
+    const LightBuffer buffer = build_light_buffer(scene, sheets, job.lights[0].light.toward, pool);
+    job.lights[0].buffer = &buffer;
     std::vector<vec4> picture(kWidth_px * kHeight_px);
     std::vector<uint32_t> ids(picture.size());
     std::vector<uint8_t> lit(picture.size()), lit_again(picture.size());

@@ -59,7 +59,7 @@ struct Traced {
     const View view = make_view(camera, dvec3(0), width, height);
     const auto caster = make_caster<Real>(tree);
     const DirectionalLight light{glm::normalize(dvec3(1, 2, 3)), vec3(1)};
-    const TraceJob job{scene, view, light, shadows, depth, vec3(0), vec3(0.25f)};
+    const TraceJob job{scene, view, {{light}}, shadows, depth, vec3(0), vec3(0.25f)};
     stats = trace_frame(job, *caster, pool, TracedFrame<Real>{picture, ids, lit});
   }
 };

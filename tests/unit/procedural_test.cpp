@@ -114,8 +114,8 @@ TEST_P(Procedural, SameOptionsSameBytesAndReadsBack) {
 
 TEST_P(Procedural, HasAShot) {
   const SceneShot shot = scene().shot();
-  ASSERT_TRUE(shot.camera && shot.light);
-  EXPECT_NEAR(glm::length(shot.light->toward), 1, 1e-12);
+  ASSERT_TRUE(shot.camera && shot.lights && shot.lights->size() == 1);
+  EXPECT_NEAR(glm::length(shot.lights->front().toward), 1, 1e-12);
   EXPECT_GT(shot.camera->eye_world.y, 0);
   const std::string argument = std::string("scene:") + GetParam();
   EXPECT_EQ(shot_of(argument).camera->eye_world, shot.camera->eye_world);

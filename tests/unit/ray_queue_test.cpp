@@ -60,7 +60,7 @@ TEST(RayQueue, StaysShortHoweverManyBranchesThereAre) {
   const KdTree tree = build_kd_tree(scene, pool);
   const View view = make_view({{0, 0, 0}, {1, 0.1, 0.2}, {0, 1, 0}, 0.5}, dvec3(0), kTile_px, kTile_px);
   for (const int depth : {0, 1, 2, 5, 10}) {
-    const TraceJob job{scene, view, {dvec3(0, 1, 0), vec3(1)}, false, depth};
+    const TraceJob job{scene, view, {{{dvec3(0, 1, 0), vec3(1)}}}, false, depth};
     TraceStats stats;
     const CountingCaster caster(tree, stats);
     RayGenerations<float> generations(job, &caster);
@@ -91,7 +91,7 @@ TEST(RayQueue, DepthZeroFiresNothing) {
   const Scene scene = doubling_panes(4);
   const KdTree tree = build_kd_tree(scene, pool);
   const View view = make_view({{0, 0, 0}, {1, 0.1, 0.2}, {0, 1, 0}, 0.5}, dvec3(0), kTile_px, kTile_px);
-  const TraceJob job{scene, view, {dvec3(0, 1, 0), vec3(1)}, false, 0};
+  const TraceJob job{scene, view, {{{dvec3(0, 1, 0), vec3(1)}}}, false, 0};
   TraceStats stats;
   const CountingCaster caster(tree, stats);
   RayGenerations<float> generations(job, &caster);

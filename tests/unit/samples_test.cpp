@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/scene/view.h"
+#include "core/trace/kd_caster.h"
+#include "core/trace/trace_pass.h"
+#include "textured_scenes.h"
 
 namespace hybridrt {
 namespace {
@@ -37,6 +40,47 @@ TEST(Samples, RaysAndRasterLookAtTheSamePlace) {
   const dvec4 clip = clip_from_eye(view, 0.1) * dvec4(dir, 1);
   EXPECT_NEAR((clip.x / clip.w + 1) / 2 * 64, 10.5, 1e-12);
   EXPECT_NEAR((1 - clip.y / clip.w) / 2 * 48, 20.5, 1e-12);
+}
+
+// On paper: four samples a pixel see what the four pixels there see at twice the resolution, textures filtered alike;
+// the level falls by half of log2(4).
+TEST(Samples, FilterTexturesOverTheirPartOfThePixel) {
+  View coarse = make_view({{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 0.8}, dvec3(0), 24, 16);
+  const View fine = make_view({{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 0.8}, dvec3(0), 48, 32);
+  const double whole = coarse.sample_solid_angle(5, 3);
+  for (const int samples : {1, 2, 4, 9, 4096}) {
+    coarse.samples = samples;
+    EXPECT_DOUBLE_EQ(coarse.sample_solid_angle(5, 3), whole / samples);
+  }
+
+  const Scene scene = textured_room();
+  ThreadPool pool(1);
+  const KdTree tree = build_kd_tree(scene, pool);
+  const auto picture_of = [&](const View& view) {
+    std::vector<vec4> picture(static_cast<size_t>(view.width_px) * view.height_px);
+    std::vector<uint32_t> ids(picture.size());
+    trace_frame({scene, view, {}}, *make_reference_caster(tree), pool, TracedFrame<double>{picture, ids, {}});
+    return picture;
+  };
+  const std::vector<vec4> expected = picture_of(fine);
+  float gap = 0;
+  for (const int samples : {4, 1}) {
+    coarse.samples = samples;
+    for (int i = 0; i < 4; ++i) {
+      coarse.sample_px = {i % 2 * 0.5 - 0.25, i / 2 * 0.5 - 0.25};
+      const std::vector<vec4> sampled = picture_of(coarse);
+      for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 24; ++x) {
+          const vec4 difference = sampled[static_cast<size_t>(y) * 24 + x] -
+                                  expected[(static_cast<size_t>(2 * y) + i / 2) * 48 + 2 * x + i % 2];
+          if (samples == 4) {
+            ASSERT_LT(glm::length(difference), 1e-5f) << x << ' ' << y;
+          }
+          gap = std::max(gap, glm::length(difference));
+        }
+    }
+  }
+  EXPECT_GT(gap, 0.01f) << "as if each sample stood for a whole pixel, textures would be smoother";
 }
 
 TEST(Samples, AFrameIsTheMeanOfItsSamples) {

@@ -30,15 +30,19 @@ struct SceneFile : testing::Test {
 
 TEST_F(SceneFile, ReadsEverything) {
   const SceneDescription scene = read(R"({"meshes":["a.obj","sub/../b.PLY"],"up_axis":"z",
-    "lights":[{"type":"directional","toward":[0,0,4],"color":[1,0.5,0.25]}],"ambient":[0.1,0.2,0.3],"background":0.5,
+    "lights":[{"type":"directional","toward":[0,0,4],"color":[1,0.5,0.25]},{"type":"directional","toward":[-9,0,0]}],
+    "ambient":[0.1,0.2,0.3],"background":0.5,
     "settings":{"size":"64x48","reflection-depth":2,"fov":40.5,"require-hardware":true,"aov":["id","depth"],"light":[1,2,3],
                 "camera":"c.json"}})");
   ASSERT_EQ(scene.meshes.size(), 2u);
   EXPECT_EQ(scene.meshes[0], folder.path / "a.obj");
   EXPECT_EQ(scene.meshes[1], folder.path / "b.PLY");
   EXPECT_EQ(scene.up_axis, UpAxis::z);
-  EXPECT_EQ(scene.light->toward, dvec3(0, 0, 1));
-  EXPECT_EQ(scene.light->color, vec3(1, 0.5f, 0.25f));
+  ASSERT_EQ(scene.lights->size(), 2u);
+  EXPECT_EQ(scene.lights->at(0).toward, dvec3(0, 0, 1));
+  EXPECT_EQ(scene.lights->at(0).color, vec3(1, 0.5f, 0.25f));
+  EXPECT_EQ(scene.lights->at(1).toward, dvec3(-1, 0, 0));
+  EXPECT_EQ(scene.lights->at(1).color, vec3(1));
   EXPECT_EQ(scene.ambient, vec3(0.1f, 0.2f, 0.3f));
   EXPECT_EQ(scene.background, vec3(0.5f));
   const auto value_of = [&](const string& name) {
@@ -57,9 +61,15 @@ TEST_F(SceneFile, ReadsEverything) {
 
 TEST_F(SceneFile, WhatIsNotSaidIsLeftOpen) {
   const SceneDescription scene = read(R"({"meshes":["a.obj"]})");
-  EXPECT_FALSE(scene.up_axis || scene.light || scene.ambient || scene.background);
+  EXPECT_FALSE(scene.up_axis || scene.lights || scene.ambient || scene.background);
   EXPECT_TRUE(scene.settings.empty());
   EXPECT_FALSE(read_scene_file_camera(folder.path / "s.json", {}, warnings));
+}
+
+TEST_F(SceneFile, AnEmptyListMeansNoLight) {
+  const SceneDescription scene = read(R"({"meshes":["a.obj"],"lights":[]})");
+  ASSERT_TRUE(scene.lights);
+  EXPECT_TRUE(scene.lights->empty());
 }
 
 TEST_F(SceneFile, HasACameraOrAPathOrTheNameOfOne) {
@@ -86,16 +96,19 @@ TEST_F(SceneFile, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(contains(failure_of(R"("ambient":[1,2])"), "ambient: must be three numbers"));
   EXPECT_TRUE(contains(failure_of(R"("background":[-1,0,0])"), "background: a colour's parts"));
   for (const string type : {"point", "spot", "environment"})
-    EXPECT_TRUE(contains(failure_of("\"lights\":[{\"type\":\"" + type + "\"}]"),
-                         "'" + type + "' lights are not supported"));
+    EXPECT_TRUE(contains(failure_of("\"lights\":[{\"type\":\"" + type + "\",\"position\":[0,1,0]}]"),
+                         "lights[0].type: type '" + type + "' is not supported yet; directional lights are"));
   EXPECT_TRUE(contains(failure_of(R"("lights":[{"type":"laser"}])"), "'laser' is not known"));
   EXPECT_TRUE(
       contains(failure_of(R"("lights":[{"type":"directional","toward":[0,0,0]}])"), "must not be zero"));
   EXPECT_TRUE(contains(failure_of(R"("lights":[{"type":"directional","toward":[1,0,0],"size":1}])"),
                        "lights[0]: unknown key 'size'"));
   const string light = R"({"type":"directional","toward":[1,0,0]})";
-  EXPECT_TRUE(contains(failure_of("\"lights\":[" + light + "," + light + "]"),
-                       "several lights are not supported yet"));
+  string lights = light;
+  for (int i = 1; i < 8; ++i) lights += "," + light;
+  EXPECT_EQ(read(R"({"meshes":["a.obj"],"lights":[)" + lights + "]}").lights->size(), 8u);
+  EXPECT_TRUE(contains(failure_of("\"lights\":[" + lights + "," + light + "]"),
+                       "lights: there are 9 lights; at most 8"));
   EXPECT_TRUE(contains(failure_of(R"("settings":{"size":{}})"), "settings.size: must be"));
   EXPECT_TRUE(contains(failure_of(R"("camera":{"eye":[0,0,1],"target":[0,0,0],"fov":3})"),
                        "camera: unknown key 'fov'"));

@@ -114,13 +114,13 @@ TEST_F(ShadowTerminator, FacetsThatTurnAwayAreBlackAndAsManyAsTheGeometrySays) {
     SCOPED_TRACE(testing::Message() << light.x << ' ' << light.y);
     const dvec3 toward = glm::normalize(light);
     const View view = make_view({{0.5, 3.5, 1.5}, {0, 0, 0}, {0, 0, 1}, 0.6}, dvec3(0), kSize_px, kSize_px);
-    TraceJob job{scene_, view, {toward, vec3(1)}, true, 0, vec3(0), vec3(0.5f)};
+    TraceJob job{scene_, view, {{{toward, vec3(1)}}}, true, 0, vec3(0), vec3(0.5f)};
     expect_convention(trace(job, *make_reference_caster(tree_)), view, toward);
     expect_convention(trace(job, *make_kd_caster(tree_, LeafKernel::simd)), view, toward);
 
     const Sheets sheets = make_sheets(scene_, build_topology(scene_, pool_), pool_);
     const LightBuffer buffer = build_light_buffer(scene_, sheets, toward, pool_);
-    job.light_buffer = &buffer;
+    job.lights[0].buffer = &buffer;
     expect_convention(trace(job, *make_kd_caster(tree_, LeafKernel::simd)), view, toward);
   }
 }

@@ -34,13 +34,12 @@ std::vector<vec4> seen(const Scene& scene, double eye_y, double along) {
   view.width_px = view.frame_width_px = view.height_px = view.frame_height_px = kSide_px;
   view.eye = {0.3, eye_y, 0.4};
   view.right = {1, 0, 0}, view.up = {0, 0, -1}, view.forward = {0, along, 0};
-  TraceJob job{scene, view, {.color = vec3(0)}, /*shadows=*/false};
+  TraceJob job{scene, view, {}, /*shadows=*/false};
   ThreadPool pool(1);
   const KdTree tree = build_kd_tree(scene, pool);
   std::vector<vec4> picture(kSide_px * kSide_px);
   std::vector<uint32_t> ids(picture.size());
-  std::vector<uint8_t> lit(picture.size());
-  trace_frame(job, *make_reference_caster(tree), pool, TracedFrame<double>{picture, ids, lit});
+  trace_frame(job, *make_reference_caster(tree), pool, TracedFrame<double>{picture, ids, {}});
   return picture;
 }
 

@@ -51,7 +51,8 @@ class TracePass : public testing::Test {
   ThreadPool pool_{2};
   const KdTree tree_ = build_kd_tree(scene_, pool_);
   const View view_ = make_view({{2.5, 2, 3}, {0, 0.3, 0}, {0, 1, 0}, 0.8}, dvec3(0), kWidth_px, kHeight_px);
-  const TraceJob job_{scene_, view_, {glm::normalize(dvec3(-1, 1, 0.5)), vec3(1)}, true, 3};
+  const dvec3 toward_ = glm::normalize(dvec3(-1, 1, 0.5));
+  const TraceJob job_{scene_, view_, {{{toward_, vec3(1)}}}, true, 3};
   std::unique_ptr<RayCaster<float>> caster_;
   std::vector<vec4> picture_;
   std::vector<uint32_t> ids_;
@@ -76,10 +77,10 @@ TEST_F(TracePass, WithoutAMaskEveryReceiverAsksOneRayOrFacesAway) {
 
 TEST_F(TracePass, WithALightBufferTheAnswersAreThoseOfDoublePrecision) {
   const Sheets sheets = make_sheets(scene_, build_topology(scene_, pool_), pool_);
-  const LightBuffer buffer = build_light_buffer(scene_, sheets, job_.light.toward, pool_);
+  const LightBuffer buffer = build_light_buffer(scene_, sheets, toward_, pool_);
   const auto reference = make_reference_caster(tree_);
   TraceJob job = job_;
-  job.light_buffer = &buffer;
+  job.lights[0].buffer = &buffer;
 
   Result hybrid;
   TracePixels pixels{ids_, {}, hybrid.lit, {}};
@@ -89,8 +90,8 @@ TEST_F(TracePass, WithALightBufferTheAnswersAreThoseOfDoublePrecision) {
     bool lit = false;
     if (ids_[i] != kNoTriangle) {
       const dvec3 dir = glm::normalize(view_.pixel_dir(i % kWidth_px, i / kWidth_px));
-      if (const auto query = primary_shadow_query(scene_, ids_[i], view_.eye, dir, job.light.toward)) {
-        const Ray<double> ray{query->origin, job.light.toward};
+      if (const auto query = primary_shadow_query(scene_, ids_[i], view_.eye, dir, toward_)) {
+        const Ray<double> ray{query->origin, toward_};
         uint8_t occluded;
         reference->any_hits({&ray, 1}, {&occluded, 1});
         lit = !occluded;

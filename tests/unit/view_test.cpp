@@ -107,10 +107,10 @@ TEST(View, PixelsShareTheSolidAngleOfThePicture) {
   view.tan_half_width = 1.2, view.tan_half_height = 0.9;
   double sum = 0;
   for (int y = 0; y < view.height_px; ++y)
-    for (int x = 0; x < view.width_px; ++x) sum += view.pixel_solid_angle(x, y);
+    for (int x = 0; x < view.width_px; ++x) sum += view.sample_solid_angle(x, y);
   const double a = view.tan_half_width, b = view.tan_half_height;
   EXPECT_NEAR(sum, 4 * std::atan(a * b / std::sqrt(1 + a * a + b * b)), 1e-4);
-  EXPECT_GT(view.pixel_solid_angle(80, 60), 3 * view.pixel_solid_angle(0, 0)) << "smaller toward the corners";
+  EXPECT_GT(view.sample_solid_angle(80, 60), 3 * view.sample_solid_angle(0, 0)) << "smaller toward the corners";
 }
 
 }  // namespace

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/timing.h"
+#include "core/trace/trace_job.h"
+
+namespace hybridrt {
+
+/// The light buffers of a sequence, one a light: built when first asked for, and again only when the light has moved.
+class KeptLightBuffers {
+ public:
+  /// Scene and pool must outlive it.
+  KeptLightBuffers(const Scene& scene, ThreadPool& pool) : scene_(scene), pool_(pool) {}
+  KeptLightBuffers(const KeptLightBuffers&) = delete;
+  KeptLightBuffers& operator=(const KeptLightBuffers&) = delete;
+
+  /// Fills in the buffers of the job's lights that cast shadows, valid until the next call, and what hangs on them.
+  /// Returns what building took, 0 if all were kept.
+  double answer(TraceJob& job) {
+    double build_ms = 0;
+    const LightBuffer* any = nullptr;
+    buffers_.resize(job.lights.size());
+    for (size_t l = 0; l < job.lights.size(); ++l)
+      if (job.casts_shadow(l)) any = job.lights[l].buffer = &toward(l, job.lights[l].light.toward, build_ms);
+    job.eye_enclosed = any && may_be_enclosed(*any, job.view.eye);  // whichever light is asked
+    return build_ms;
+  }
+
+ private:
+  const LightBuffer& toward(size_t light, const dvec3& toward, double& build_ms) {
+    std::optional<LightBuffer>& buffer = buffers_[light];
+    if (buffer && buffer->toward == toward) return *buffer;
+    const Stopwatch building;
+    if (!sheets_) sheets_ = make_sheets(scene_, build_topology(scene_, pool_), pool_);
+    buffer.reset();  // before its successor needs the memory
+    buffer = build_light_buffer(scene_, *sheets_, toward, pool_);
+    build_ms += building.elapsed_ms();
+    return *buffer;
+  }
+
+  const Scene& scene_;
+  ThreadPool& pool_;
+  std::optional<Sheets> sheets_;
+  std::vector<std::optional<LightBuffer>> buffers_;  ///< by light
+};
+
+}  // namespace hybridrt
