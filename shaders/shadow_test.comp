@@ -2,13 +2,16 @@
 // Pass 2, second step: is the pixel's point in light, as far as the shadow map knows? Done once a pixel from
 // its id, not once a fragment while rasterising.
 #include "scene.glsl"
+#include "shadow_warp.glsl"
 
 layout(binding = HRT_UNIT_SHADOW_MAP) uniform sampler2D shadow_map;
 layout(binding = HRT_IMAGE_OUT, r8ui) uniform writeonly uimage2D mask;
 
-uniform mat4 light_texture_from_eye;  // x, y, depth in 0..1
+uniform mat4 map_from_eye;  // u w, v w, depth, w: as ShadowMapFit
+uniform float inverse_w_slope;
+uniform float texel_across;
+uniform float texel_along;
 uniform vec3 to_light;
-uniform float texel_depth;  // one texel's width, in units of the map's depth
 
 const float kMaxSlope = 20.0;
 
@@ -22,13 +25,14 @@ uint shadow_mask(ivec2 pixel) {
 
   vec3 weights = clamped_barycentrics(t.p0, t.p1, t.p2, dir);
   vec3 point = weights.x * t.p0 + weights.y * t.p1 + weights.z * t.p2;
-  vec3 in_map = (light_texture_from_eye * vec4(point, 1.0)).xyz;
+  vec4 in_map = map_from_eye * vec4(point, 1.0);
   // The map knows the depth at the texel's centre, up to 0.71 texels away along the slope.
   float slope = min(sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light, kMaxSlope);
   ivec2 size = textureSize(shadow_map, 0);
-  ivec2 texel = clamp(ivec2(in_map.xy * vec2(size)), ivec2(0), size - 1);
-  float nearest = texelFetch(shadow_map, texel, 0).r;
-  return nearest < in_map.z - texel_depth * (slope + 0.2) ? 0u : HRT_MASK_LIT;
+  ivec2 texel = clamp(ivec2(in_map.xy / in_map.w * vec2(size)), ivec2(0), size - 1);
+  float w = map_w((float(texel.y) + 0.5) / float(size.y), inverse_w_slope);
+  float nearest = texelFetch(shadow_map, texel, 0).r * w;
+  return nearest < in_map.z - texel_depth(texel_across, texel_along, w) * (slope + 0.2) ? 0u : HRT_MASK_LIT;
 }
 
 void main() {

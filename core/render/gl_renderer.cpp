@@ -25,10 +25,6 @@ void mark_repaired(FrameSlot& slot) {
     if (slot.repaired_ids[i] != rasterised[i]) slot.settled_mask[i] |= HRT_MASK_REPAIRED;
 }
 
-bool uses_shadow_map(const RenderSettings& s) {
-  return s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur;
-}
-
 }  // namespace
 
 bool needs_caster(const SceneFacts& facts, const RenderSettings& s, bool light_moves) {
@@ -61,6 +57,7 @@ GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shad
   if (uses_shadow_map(s)) {
     shadow_map_ = {gl_, GL_DEPTH_COMPONENT32F, s.shadow_map_px, s.shadow_map_px, "shadow map"};
     shadow_map_target_ = {gl_, nullptr, shadow_map_, "shadow map"};
+    if (s.shadow_warp == ShadowWarp::lispsm) receivers_.emplace(gl_, shaders, s);
   }
   if (s.shadows == ShadowMode::blur) {
     unmarked_mask_ = {gl_, GL_R8UI, part_.width_px, part_.height_px, "unmarked shadow mask"};
@@ -110,23 +107,31 @@ void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
 }
 
 void GlRenderer::update_shadow_map(FrameSlot& slot) {
-  if (light_frame_ && light_frame_->toward == slot.plan.light.toward) return;
+  const FramePlan& plan = slot.plan;
+  const bool same_light = light_frame_ && light_frame_->toward == plan.light.toward;
+  if (same_light && (!receivers_ || shadow_map_view_ == plan.view)) return;
   slot.timer(PassId::shadow_map).begin();
-  light_frame_ = fit_light_frame(scene_, slot.plan.light.toward);
-  shadow_map_pass_.run({scene_gpu_, *light_frame_, settings_.shadow_map_px}, {shadow_map_target_});
+  if (!same_light) light_frame_ = fit_light_frame(scene_, plan.light.toward);
+  shadow_map_view_ = plan.view;
+  shadow_map_fit_ = receivers_ ? fit_shadow_map(*light_frame_, plan.view,
+                                                receivers_->find({scene_gpu_, id_pass_, plan.view, plan.near_distance, depth_}),
+                                                settings_.shadow_map_px)
+                               : uniform_shadow_map(*light_frame_, settings_.shadow_map_px);
+  shadow_map_pass_.run({scene_gpu_, shadow_map_fit_, settings_.shadow_map_px}, {shadow_map_target_});
   slot.timer(PassId::shadow_map).end();
 }
 
 void GlRenderer::rasterize(FrameSlot& slot) {
   const FramePlan& plan = slot.plan;
   for (gl::TimerQuery& timer : slot.timers) timer.skip();
-  if (plan.shadow_map) update_shadow_map(slot);
 
   slot.timer(PassId::id).begin();
   id_pass_.run({scene_gpu_, plan.view, plan.near_distance}, {slot.id_target});
-  if (plan.shadow_map)
-    shadow_test_pass_.run({scene_gpu_, plan.view, *light_frame_, slot.ids, shadow_map_, settings_.shadow_map_px},
+  if (plan.shadow_map) {
+    update_shadow_map(slot);
+    shadow_test_pass_.run({scene_gpu_, plan.view, plan.light.toward, shadow_map_fit_, slot.ids, shadow_map_},
                           {plan.mark ? unmarked_mask_ : slot.mask});
+  }
   slot.timer(PassId::id).end();
 
   if (plan.mark) {
@@ -223,6 +228,7 @@ Frame GlRenderer::shade(FrameSlot& slot) {
       picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), width, height, kept, frame.stats.pixels_hit);
   const double unpacking_ms = unpacking.elapsed_ms();
   for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
+  frame.timings[PassId::id] -= frame.timings[PassId::shadow_map];  // which lies between ids and shadow test
   frame.timings[PassId::trace] = slot.trace_ms;
   frame.timings[PassId::shadow_map] += slot.light_buffer_ms;  // the other structure of pass 1
   frame.timings[PassId::mark] += slot.settle_ms;

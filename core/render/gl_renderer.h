@@ -8,6 +8,7 @@
 #include "core/passes/shadow_map.h"
 #include "core/render/frame_slot.h"
 #include "core/render/kept_light_buffer.h"
+#include "core/render/visible_receivers.h"
 #include "core/trace/ray_caster.h"
 
 #include <deque>
@@ -33,7 +34,7 @@ class GlRenderer {
 
  private:
   void rasterize(FrameSlot& slot);  ///< passes 1-3, starts the readback and waits for it
-  void update_shadow_map(FrameSlot& slot);
+  void update_shadow_map(FrameSlot& slot);  ///< after its ids
   void trace(FrameSlot& slot);      ///< pass 4; any thread
   Frame shade(FrameSlot& slot);     ///< pass 5; waits for pass 4
 
@@ -57,8 +58,11 @@ class GlRenderer {
   gl::Texture depth_, unmarked_mask_, row_sums_, picture_;
   gl::Readback picture_readback_;
 
-  // The light's structures, kept while the light stands still.
+  // The light's structures, kept while the light stands still, a warped shadow map while the camera does, too.
   std::optional<LightFrame> light_frame_;
+  std::optional<VisibleReceivers> receivers_;  ///< for a warped map
+  ShadowMapFit shadow_map_fit_;
+  View shadow_map_view_;  ///< that a warped map is fitted to
   gl::Texture shadow_map_;
   gl::Framebuffer shadow_map_target_;
   KeptLightBuffer light_buffer_;

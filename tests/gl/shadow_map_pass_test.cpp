@@ -18,7 +18,7 @@ struct ShadowMap {
   ShadowMap(const gl::Functions& gl, const SceneGpu& scene, const LightFrame& light, int size_px)
       : depth(gl, GL_DEPTH_COMPONENT32F, size_px, size_px, "shadow map"),
         target(gl, nullptr, depth, "shadow map") {
-    ShadowMapPass(gl, gl::embedded_shaders()).run({scene, light, size_px}, {target});
+    ShadowMapPass(gl, gl::embedded_shaders()).run({scene, uniform_shadow_map(light, size_px), size_px}, {target});
   }
   gl::Texture depth;
   gl::Framebuffer target;
@@ -106,7 +106,7 @@ TEST_F(ShadowMapTest, TestAgreesWithRaysAwayFromEdges) {
   const ShadowMap map(gl(), seen.gpu, light, map_px);
   const gl::Texture mask(gl(), GL_R8UI, width, height, "mask");
   ShadowTestPass(gl(), gl::embedded_shaders())
-      .run({seen.gpu, view, light, seen.ids, map.depth, map_px}, {mask});
+      .run({seen.gpu, view, light.toward, uniform_shadow_map(light, map_px), seen.ids, map.depth}, {mask});
   const auto tested = read_pixels<uint8_t>(gl(), mask, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
 
   const std::vector<uint32_t> ids = seen.read_ids();
