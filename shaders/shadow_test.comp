@@ -11,16 +11,22 @@ uniform mat4 map_from_eye;  // u w, v w, depth, w: as ShadowMapFit
 uniform float inverse_w_slope;
 uniform float texel_across;
 uniform float texel_along;
+uniform int warped;
+uniform vec3 across;
+uniform vec3 along;
 uniform vec3 to_light;
 
 const float kMaxSlope = 20.0;
+#define MAXS 200.0
+#define FAC 0.5
 
 uint shadow_mask(ivec2 pixel) {
   uint id = texelFetch(ids, pixel, 0).r;
   if (id == HRT_NO_TRIANGLE) return HRT_MASK_NO_RECEIVER;
   vec3 dir = pixel_ray(pixel);
   Triangle t = fetch_triangle(id);
-  float cos_light = dot(geometric_normal(t, dir), to_light);
+  vec3 normal = geometric_normal(t, dir);
+  float cos_light = dot(normal, to_light);
   if (cos_light <= 0.0) return 0;  // seen from its unlit side
 
   vec3 weights = clamped_barycentrics(t.p0, t.p1, t.p2, dir);
@@ -32,7 +38,12 @@ uint shadow_mask(ivec2 pixel) {
   ivec2 texel = clamp(ivec2(in_map.xy / in_map.w * vec2(size)), ivec2(0), size - 1);
   float w = map_w((float(texel.y) + 0.5) / float(size.y), inverse_w_slope);
   float nearest = texelFetch(shadow_map, texel, 0).r * w;
-  return nearest < in_map.z - texel_depth(texel_across, texel_along, w) * (slope + 0.2) ? 0u : HRT_MASK_LIT;
+  float bias = texel_depth(texel_across, texel_along, w) * (slope + 0.2);
+  if (warped != 0) {
+    vec2 gradient = min(abs(vec2(dot(normal, across), dot(normal, along))) / cos_light, vec2(MAXS));
+    bias = FAC * dot(gradient, vec2(texel_across * w, texel_along * w * w)) + 0.2 * texel_depth(texel_across, texel_along, w);
+  }
+  return nearest < in_map.z - bias ? 0u : HRT_MASK_LIT;
 }
 
 void main() {

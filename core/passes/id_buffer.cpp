@@ -50,6 +50,9 @@ void ShadowTestPass::run(const In& in, const Out& out) const {
   program_.set("texel_across", static_cast<float>(in.fit.texel_across));
   program_.set("texel_along", static_cast<float>(in.fit.texel_along));
   program_.set("to_light", vec3(in.to_light));
+  program_.set("across", vec3(in.fit.across));
+  program_.set("along", vec3(in.fit.along));
+  program_.set("warped", in.fit.warped);
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);
   gl::throw_on_error(gl, "pass 2, shadow test");

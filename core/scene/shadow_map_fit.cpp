@@ -42,7 +42,8 @@ dvec4 row(const dvec3& axis, double offset) { return {axis, offset}; }
 
 ShadowMapFit uniform_shadow_map(const LightFrame& light, int size_px) {
   const dvec3 box = light.hi - light.lo;
-  return {dvec3(0), light.unit_from_scene(), 0, box.x / size_px / box.z, box.y / size_px / box.z};
+  return {dvec3(0), light.unit_from_scene(), 0, false, light.x_axis, light.y_axis, box.x / size_px / box.z,
+          box.y / size_px / box.z};
 }
 
 ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span<const dvec3> receivers, int size_px) {
@@ -85,6 +86,9 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
   ShadowMapFit fit;
   fit.origin = view.eye + nearest;
   fit.map_from_origin = glm::transpose(dmat4(u, v, z, w));
+  fit.warped = true;
+  fit.across = x_axis;
+  fit.along = v_axis;
   fit.inverse_w_slope = -decline / (inner * w_scale);
   fit.texel_across = std::max(1 / (glm::dot(dvec3(u), x_axis) * size_px * box.z), kDepthRounding);
   fit.texel_along = oblique / (glm::dot(dvec3(v), v_axis) * size_px * box.z);

@@ -22,8 +22,10 @@ struct ShadowMapFit {
   dvec3 origin{0};  ///< scene space; subtracted first, so that what is near it is precise in float
   dmat4 map_from_origin{1};
   double inverse_w_slope = 0;  ///< 0 without warp, else in (-1, 0)
-  double texel_across = 0;     ///< a texel's width in units of z is at most texel_across * w ...
-  double texel_along = 0;      ///< ... or texel_along * w^2, whichever is more
+  bool warped = false;         ///< by fit_shadow_map(); lispsm without receivers is not
+  dvec3 across{0}, along{0};   ///< unit, scene space, across the light: the directions of u, and of v and w
+  double texel_across = 0;     ///< a texel is texel_across * w wide, in units of z, ...
+  double texel_along = 0;      ///< ... and at most texel_along * w^2 long
 };
 
 /// All of the light's box, without warp: the same wherever it is seen from.
