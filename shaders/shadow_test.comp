@@ -7,18 +7,32 @@
 layout(binding = HRT_UNIT_SHADOW_MAP) uniform sampler2D shadow_map;
 layout(binding = HRT_IMAGE_OUT, r8ui) uniform writeonly uimage2D mask;
 
-uniform mat4 map_from_eye;  // u w, v w, depth, w: as ShadowMapFit
+// As ShadowMapFit has them.
+uniform mat4 map_from_eye;  // u w, v w, depth, w
 uniform float inverse_w_slope;
 uniform float texel_across;
 uniform float texel_along;
+uniform float lean_first;
+uniform float lean_step;
 uniform int warped;
 uniform vec3 across;
 uniform vec3 along;
 uniform vec3 to_light;
 
 const float kMaxSlope = 20.0;
-#define MAXS 200.0
-#define FAC 0.5
+const float kMaxWarpedSlope = 200.0;  // texels are small where the light grazes, and know how they lie on the plane
+
+// How much nearer than the point the map may be without shadow: it knows the depth at a texel's centre only.
+float depth_offset(vec3 normal, float cos_light, float u, float w) {
+  vec2 texel = texel_size(texel_across, texel_along, w);
+  float widest = max(texel.x, texel.y);
+  if (warped == 0) {  // a centre is up to 0.71 texels away along the slope
+    float slope = min(sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light, kMaxSlope);
+    return widest * (slope + 0.2);
+  }
+  vec2 gradient = clamp(vec2(dot(normal, across), dot(normal, along)) / cos_light, -kMaxWarpedSlope, kMaxWarpedSlope);
+  return 0.5 * depth_over_texel(gradient, texel, lean_first + lean_step * u) + 0.2 * widest;
+}
 
 uint shadow_mask(ivec2 pixel) {
   uint id = texelFetch(ids, pixel, 0).r;
@@ -32,18 +46,12 @@ uint shadow_mask(ivec2 pixel) {
   vec3 weights = clamped_barycentrics(t.p0, t.p1, t.p2, dir);
   vec3 point = weights.x * t.p0 + weights.y * t.p1 + weights.z * t.p2;
   vec4 in_map = map_from_eye * vec4(point, 1.0);
-  // The map knows the depth at the texel's centre, up to 0.71 texels away along the slope.
-  float slope = min(sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light, kMaxSlope);
+  vec2 uv = in_map.xy / in_map.w;
   ivec2 size = textureSize(shadow_map, 0);
-  ivec2 texel = clamp(ivec2(in_map.xy / in_map.w * vec2(size)), ivec2(0), size - 1);
+  ivec2 texel = clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1);
   float w = map_w((float(texel.y) + 0.5) / float(size.y), inverse_w_slope);
   float nearest = texelFetch(shadow_map, texel, 0).r * w;
-  float bias = texel_depth(texel_across, texel_along, w) * (slope + 0.2);
-  if (warped != 0) {
-    vec2 gradient = min(abs(vec2(dot(normal, across), dot(normal, along))) / cos_light, vec2(MAXS));
-    bias = FAC * dot(gradient, vec2(texel_across * w, texel_along * w * w)) + 0.2 * texel_depth(texel_across, texel_along, w);
-  }
-  return nearest < in_map.z - bias ? 0u : HRT_MASK_LIT;
+  return nearest < in_map.z - depth_offset(normal, cos_light, uv.x, w) ? 0u : HRT_MASK_LIT;
 }
 
 void main() {

@@ -52,6 +52,8 @@ void ShadowTestPass::run(const In& in, const Out& out) const {
   program_.set("to_light", vec3(in.to_light));
   program_.set("across", vec3(in.fit.across));
   program_.set("along", vec3(in.fit.along));
+  program_.set("lean_first", static_cast<float>(in.fit.lean_first));
+  program_.set("lean_step", static_cast<float>(in.fit.lean_step));
   program_.set("warped", in.fit.warped);
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);

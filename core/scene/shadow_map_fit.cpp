@@ -1,6 +1,7 @@
 #include "core/scene/shadow_map_fit.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace hybridrt {
 namespace {
@@ -9,7 +10,8 @@ constexpr double kLeastSine = 0.02;  // nearer to parallel there is nothing to g
 // Along the sides, since the test finds a receiver's point a little beside where rasterising found its depth.
 constexpr double kMargin_texels = 2;
 // Of the map's depths and of the points': texels narrower than this do not narrow the bias.
-constexpr double kDepthRounding = 0x1p-20;
+constexpr double kDepthRounding = 0x1p-18;
+constexpr double kMostLean = 4;
 
 struct Range {
   double lo = std::numeric_limits<double>::infinity(), hi = -lo;
@@ -36,6 +38,32 @@ double warp_per_length(double sine, double nearest, double length, int size_px) 
   return 1 / std::max(pole_distance, length / (most_w - 1));
 }
 
+/// A receiver: across and along the warp's axis, and w.
+struct Seen {
+  double x, v, w;
+};
+
+Range range_across(std::span<const Seen> receivers, double lean, size_t step) {
+  Range range;
+  for (size_t i = 0; i < receivers.size(); i += step)
+    range.grow((receivers[i].x - lean * receivers[i].v) / receivers[i].w);
+  return range;
+}
+
+/// The lean that makes the receivers narrowest. Their width is a convex function of it: golden-section search, over
+/// some of them only, as the map is fitted to all whatever the lean.
+double narrowest_lean(std::span<const Seen> receivers) {
+  constexpr double kGolden = 0.6180339887498949;
+  const size_t step = 1 + receivers.size() / 2048;
+  double lo = -kMostLean, hi = kMostLean;
+  for (int i = 0; i < 24; ++i) {
+    const double a = hi - kGolden * (hi - lo), b = lo + kGolden * (hi - lo);
+    const bool left = range_across(receivers, a, step).size() < range_across(receivers, b, step).size();
+    (left ? hi : lo) = left ? b : a;
+  }
+  return 0.5 * (lo + hi);
+}
+
 dvec4 row(const dvec3& axis, double offset) { return {axis, offset}; }
 
 }  // namespace
@@ -56,7 +84,6 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
   const dvec3 nearest = *std::min_element(receivers.begin(), receivers.end(), [&](const dvec3& a, const dvec3& b) {
     return glm::dot(a, view.forward) < glm::dot(b, view.forward);
   });
-  const double eye_x = -glm::dot(nearest, x_axis);  // lines of equal u meet on the eye's side of it
 
   Range along;
   for (const dvec3& p : receivers) along.grow(glm::dot(p - nearest, v_axis));
@@ -65,9 +92,14 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
 
   const double w_per_length = warp_per_length(sine, glm::dot(nearest, view.forward), along.size(), size_px);
   const double w_hi = 1 + along.size() * w_per_length;
-  Range across;  // after the division by w
-  for (const dvec3& p : receivers)
-    across.grow((glm::dot(p - nearest, x_axis) - eye_x) / (1 + (glm::dot(p - nearest, v_axis) - along.lo) * w_per_length));
+  std::vector<Seen> seen;
+  seen.reserve(receivers.size());
+  for (const dvec3& p : receivers) {
+    const double v = glm::dot(p - nearest, v_axis) - along.lo;
+    seen.push_back({glm::dot(p - nearest, x_axis), v, 1 + v * w_per_length});
+  }
+  const double lean = narrowest_lean(seen);
+  Range across = range_across(seen, lean, 1);  // after the division by w
   across.widen(air);
 
   // Receivers fill the inner part of the map, from `margin` on.
@@ -77,12 +109,9 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
 
   const dvec4 w = w_scale * row(w_per_length * v_axis, 1 - along.lo * w_per_length);
   const dvec4 v = margin * w + inner * w_scale * w_hi / along.size() * row(v_axis, -along.lo);
-  const dvec4 u = margin * w + inner / across.size() * (w_scale * row(x_axis, -eye_x) - across.lo * w);
+  const dvec4 u = margin * w + inner / across.size() * (w_scale * row(x_axis - lean * v_axis, lean * along.lo) - across.lo * w);
   const dvec4 z = row(-light.toward, -glm::dot(view.eye + nearest, light.toward) - light.lo.z) / box.z;
 
-  // One texel along moves a point aside as well, as the lines of equal u meet in the pole.
-  const double aside = std::max(std::abs(across.lo), std::abs(across.hi)) + margin / inner * across.size();
-  const double oblique = std::sqrt(1 + aside * w_per_length * aside * w_per_length);
   ShadowMapFit fit;
   fit.origin = view.eye + nearest;
   fit.map_from_origin = glm::transpose(dmat4(u, v, z, w));
@@ -91,7 +120,9 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
   fit.along = v_axis;
   fit.inverse_w_slope = -decline / (inner * w_scale);
   fit.texel_across = std::max(1 / (glm::dot(dvec3(u), x_axis) * size_px * box.z), kDepthRounding);
-  fit.texel_along = oblique / (glm::dot(dvec3(v), v_axis) * size_px * box.z);
+  fit.texel_along = 1 / (glm::dot(dvec3(v), v_axis) * size_px * box.z);
+  fit.lean_step = w_per_length * across.size() / inner;
+  fit.lean_first = lean + w_per_length * across.lo - margin * fit.lean_step;
   return fit;
 }
 
