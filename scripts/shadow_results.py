@@ -22,6 +22,8 @@ from results_file import text_before_tables
 MODES = [("map", ["--shadows", "map"])] + \
         [(f"blur {k}×{k}", ["--shadows", "blur", "--blur-kernel", str(k)]) for k in (3, 5, 9, 15)] + \
         [("exact", ["--shadows", "exact"]), ("rays", ["--shadows", "rays"])]
+WARP_MODES = [(f"{mode} {warp}", ["--shadows", mode, "--shadow-warp", warp])
+              for mode in ("map", "blur") for warp in ("uniform", "lispsm")]
 
 
 def directions(count):
@@ -68,12 +70,12 @@ def wrong_pixels(shadow, ids, true_shadow, true_ids):
     return false_lit, false_shadow, other
 
 
-def measure(runner, scene, lights, threads):
+def measure(runner, scene, modes, lights, threads):
     """{mode: [(ms, traced share, false lit, false shadow, other triangle) of each light]}"""
-    results = {mode: [] for mode, _ in MODES}
+    results = {mode: [] for mode, _ in modes}
     for light in lights:
         _, true_shadow, true_ids = runner.render("truth", scene, light, ["--method", "reference"])
-        for mode, options in MODES:
+        for mode, options in modes:
             row, shadow, ids = runner.render("mode", scene, light, ["--threads", str(threads), *options])
             tracing = row["trace_ms"] - row["repair_ms"] - row["secondary_cpu_ms"] / threads
             ms = row["shadow_map_ms"] + row["mark_ms"] + tracing
@@ -99,6 +101,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--lights", type=int, default=12)
     parser.add_argument("--triangles", type=int, default=500000)
+    parser.add_argument("--warps", action="store_true", help="compare --shadow-warp; no other modes")
     parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--build", type=Path, default=Path("build/release"))
     parser.add_argument("-o", "--output", type=Path, default=Path("docs/results/shadows.md"))
@@ -107,13 +110,14 @@ def main():
     scenes = args.scenes or [f"scene:{name},triangles={args.triangles}" for name in ("chess", "thin", "spheres")]
     lines = [text_before_tables(args.output)]
     names = " ".join(Path(scene).name if os.path.exists(scene) else scene for scene in args.scenes)
-    lines += [f"`scripts/shadow_results.py --lights {args.lights} --triangles {args.triangles} {names}`, "
+    modes, flag = (WARP_MODES, "--warps ") if args.warps else (MODES, "")
+    lines += [f"`scripts/shadow_results.py {flag}--lights {args.lights} --triangles {args.triangles} {names}`, "
               f"{platform.processor() or platform.machine()}, {args.threads} threads.", ""]
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner((args.build / "bin/hybridrt").resolve(), folder)
         for scene in scenes:
             print(scene, end=" ", file=sys.stderr, flush=True)
-            results = measure(runner, scene, list(directions(args.lights)), args.threads)
+            results = measure(runner, scene, modes, list(directions(args.lights)), args.threads)
             lines += [f"## {Path(scene).name if os.path.exists(scene) else scene}", "", *table(results), ""]
     args.output.write_text("\n".join(lines), encoding="utf-8")
 

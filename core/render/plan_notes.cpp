@@ -18,9 +18,12 @@ std::string pixels(const RenderSettings& s) { return fmt::format("{} x {} pixels
 StepNote shadow_map_note(const FramePlan& plan, const RenderSettings& s, bool light_moves) {
   constexpr std::string_view kStep = "pass 1 shadow map";
   if (!plan.shadow_map) return left_out(kStep, shadows_option(s) + " needs none");
-  return {kStep, light_moves ? Runs::each_frame : Runs::once,
-          fmt::format("{0} x {0} texels; the light {1}", s.shadow_map_px,
-                      light_moves ? "moves" : "stands still")};
+  const bool warped = s.shadow_warp == ShadowWarp::lispsm;
+  return {kStep, light_moves || warped ? Runs::each_frame : Runs::once,
+          fmt::format("{0} x {0} texels; {1}", s.shadow_map_px,
+                      warped        ? "fitted to what is seen; kept while camera and light stand still"
+                      : light_moves ? "the light moves"
+                                    : "the light stands still")};
 }
 
 StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
