@@ -20,18 +20,20 @@ uniform vec3 along;
 uniform vec3 to_light;
 
 const float kMaxSlope = 20.0;
-const float kMaxWarpedSlope = 200.0;  // texels are small where the light grazes, and know how they lie on the plane
+const float kMaxWarpedSlope = 25.0;  // whose texels are smaller
 
 // How much nearer than the point the map may be without shadow: it knows the depth at a texel's centre only.
 float depth_offset(vec3 normal, float cos_light, float u, float w) {
   vec2 texel = texel_size(texel_across, texel_along, w);
   float widest = max(texel.x, texel.y);
-  if (warped == 0) {  // a centre is up to 0.71 texels away along the slope
-    float slope = min(sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light, kMaxSlope);
-    return widest * (slope + 0.2);
+  float slope;  // a centre is up to 0.71 texels away along it; a warped map knows how its texels lie on the plane
+  if (warped == 0) {
+    slope = sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light;
+  } else {
+    vec2 gradient = vec2(dot(normal, across), dot(normal, along)) / cos_light;
+    slope = 0.5 * depth_over_texel(gradient, texel, lean_first + lean_step * u) / widest;
   }
-  vec2 gradient = clamp(vec2(dot(normal, across), dot(normal, along)) / cos_light, -kMaxWarpedSlope, kMaxWarpedSlope);
-  return 0.5 * depth_over_texel(gradient, texel, lean_first + lean_step * u) + 0.2 * widest;
+  return widest * (min(slope, warped == 0 ? kMaxSlope : kMaxWarpedSlope) + 0.2);
 }
 
 uint shadow_mask(ivec2 pixel) {
