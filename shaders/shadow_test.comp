@@ -12,6 +12,7 @@ uniform mat4 map_from_eye;  // u w, v w, depth, w
 uniform float inverse_w_slope;
 uniform float texel_across;
 uniform float texel_along;
+uniform float uniform_texel;
 uniform float lean_first;
 uniform float lean_step;
 uniform int warped;
@@ -19,21 +20,19 @@ uniform vec3 across;
 uniform vec3 along;
 uniform vec3 to_light;
 
-const float kMaxSlope = 20.0;
-const float kMaxWarpedSlope = 25.0;  // whose texels are smaller
+const float kMaxSlope = 20.0;  // where the light grazes, an offset has to end
 
 // How much nearer than the point the map may be without shadow: it knows the depth at a texel's centre only.
 float depth_offset(vec3 normal, float cos_light, float u, float w) {
   vec2 texel = texel_size(texel_across, texel_along, w);
   float widest = max(texel.x, texel.y);
-  float slope;  // a centre is up to 0.71 texels away along it; a warped map knows how its texels lie on the plane
-  if (warped == 0) {
-    slope = sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light;
-  } else {
-    vec2 gradient = vec2(dot(normal, across), dot(normal, along)) / cos_light;
-    slope = 0.5 * depth_over_texel(gradient, texel, lean_first + lean_step * u) / widest;
+  if (warped == 0) {  // a centre is up to 0.71 texels away along the slope
+    float slope = sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light;
+    return widest * (min(slope, kMaxSlope) + 0.2);
   }
-  return widest * (min(slope, warped == 0 ? kMaxSlope : kMaxWarpedSlope) + 0.2);
+  vec2 gradient = vec2(dot(normal, across), dot(normal, along)) / cos_light;
+  float half_texel = 0.5 * depth_over_texel(gradient, texel, lean_first + lean_step * u);
+  return min(half_texel, kMaxSlope * uniform_texel) + 0.2 * widest;
 }
 
 uint shadow_mask(ivec2 pixel) {

@@ -52,6 +52,7 @@ void ShadowTestPass::run(const In& in, const Out& out) const {
   program_.set("to_light", vec3(in.to_light));
   program_.set("across", vec3(in.fit.across));
   program_.set("along", vec3(in.fit.along));
+  program_.set("uniform_texel", static_cast<float>(in.fit.uniform_texel));
   program_.set("lean_first", static_cast<float>(in.fit.lean_first));
   program_.set("lean_step", static_cast<float>(in.fit.lean_step));
   program_.set("warped", in.fit.warped);

@@ -70,8 +70,8 @@ dvec4 row(const dvec3& axis, double offset) { return {axis, offset}; }
 
 ShadowMapFit uniform_shadow_map(const LightFrame& light, int size_px) {
   const dvec3 box = light.hi - light.lo;
-  return {dvec3(0), light.unit_from_scene(), 0, false, light.x_axis, light.y_axis, box.x / size_px / box.z,
-          box.y / size_px / box.z};
+  const dvec2 texel = dvec2(box) / static_cast<double>(size_px) / box.z;
+  return {dvec3(0), light.unit_from_scene(), 0, false, light.x_axis, light.y_axis, texel.x, texel.y, std::max(texel.x, texel.y)};
 }
 
 ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span<const dvec3> receivers, int size_px) {
@@ -121,6 +121,7 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
   fit.inverse_w_slope = -decline / (inner * w_scale);
   fit.texel_across = std::max(1 / (glm::dot(dvec3(u), x_axis) * size_px * box.z), kDepthRounding);
   fit.texel_along = 1 / (glm::dot(dvec3(v), v_axis) * size_px * box.z);
+  fit.uniform_texel = std::max(box.x, box.y) / size_px / box.z;
   fit.lean_step = w_per_length * across.size() / inner;
   fit.lean_first = lean + w_per_length * across.lo - margin * fit.lean_step;
   return fit;

@@ -26,6 +26,7 @@ struct ShadowMapFit {
   dvec3 across{0}, along{0};   ///< unit, scene space, across the light: the directions of u, and of v and w
   double texel_across = 0;     ///< a texel is texel_across * w wide, in units of z, ...
   double texel_along = 0;      ///< ... and texel_along * w^2 long, measured straight along `along`
+  double uniform_texel = 0;    ///< the longer side of a texel of uniform_shadow_map()
   double lean_first = 0, lean_step = 0;  ///< lines of equal u lean to `across` by lean_first + lean_step * u
 };
 
