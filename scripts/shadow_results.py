@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What shadow modes cost and what they get wrong; writes docs/results/shadows.md.
+"""What shadow modes cost and what they get wrong; writes docs/results/shadows.md, with --warps shadow_warp.md.
 
-  scripts/shadow_results.py [--lights 12] [--triangles 500000] [--build build/release] [-o docs/results/shadows.md] [SCENE ...]
+  scripts/shadow_results.py [--warps] [--lights 12] [--triangles 500000] [--build build/release] [-o FILE] [SCENE ...]
 
 Each mode renders two frames from the same place under each light; times are of the second, when what stands still is
 kept. Wrong pixels are those whose shadow differs from `--method reference`, where both see the same triangle.
@@ -97,20 +97,30 @@ def table(results):
     return lines
 
 
+def table_without_times(results):
+    lines = ["| `--shadows` | traced: median (worst) | false lit, all lights | false shadow |", "|---|---|---|---|"]
+    for mode, rows in results.items():
+        _, traced, lit, shadow, _, _ = zip(*rows)
+        lines.append(f"| {mode} | {100 * statistics.median(traced):.1f} % ({100 * max(traced):.1f} %) | {sum(lit)} | "
+                     f"{sum(shadow)} |")
+    return lines
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--lights", type=int, default=12)
     parser.add_argument("--triangles", type=int, default=500000)
-    parser.add_argument("--warps", action="store_true", help="compare --shadow-warp; no other modes")
+    parser.add_argument("--warps", action="store_true", help="compare --shadow-warp, without times")
     parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--build", type=Path, default=Path("build/release"))
-    parser.add_argument("-o", "--output", type=Path, default=Path("docs/results/shadows.md"))
+    parser.add_argument("-o", "--output", type=Path)
     parser.add_argument("scenes", nargs="*", help="default: chess, thin and spheres")
     args = parser.parse_args()
+    modes, flag, name = (WARP_MODES, "--warps ", "shadow_warp.md") if args.warps else (MODES, "", "shadows.md")
+    output = args.output or Path("docs/results") / name
     scenes = args.scenes or [f"scene:{name},triangles={args.triangles}" for name in ("chess", "thin", "spheres")]
-    lines = [text_before_tables(args.output)]
+    lines = [text_before_tables(output)]
     names = " ".join(Path(scene).name if os.path.exists(scene) else scene for scene in args.scenes)
-    modes, flag = (WARP_MODES, "--warps ") if args.warps else (MODES, "")
     lines += [f"`scripts/shadow_results.py {flag}--lights {args.lights} --triangles {args.triangles} {names}`, "
               f"{platform.processor() or platform.machine()}, {args.threads} threads.", ""]
     with tempfile.TemporaryDirectory() as folder:
@@ -118,8 +128,9 @@ def main():
         for scene in scenes:
             print(scene, end=" ", file=sys.stderr, flush=True)
             results = measure(runner, scene, modes, list(directions(args.lights)), args.threads)
-            lines += [f"## {Path(scene).name if os.path.exists(scene) else scene}", "", *table(results), ""]
-    args.output.write_text("\n".join(lines), encoding="utf-8")
+            lines += [f"## {Path(scene).name if os.path.exists(scene) else scene}", "",
+                      *(table_without_times(results) if args.warps else table(results)), ""]
+    output.write_text("\n".join(lines), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 HRT_FN Real map_w(Real v, Real inverse_w_slope) { return Real(1) / (Real(1) + inverse_w_slope * v); }
 
 // A texel's width and length there, in units of the map's depth.
-HRT_FN Vec2 texel_size(Real texel_across, Real texel_along, Real w) { return Vec2(texel_across * w, texel_along * w * w); }
+HRT_FN Vec2 texel_size(Real across, Real along, Real w) { return Vec2(across * w, along * w * w); }
 
 // By how much depth changes over a texel, at most, on a plane with this `gradient` of depth across and along the warp's
 // axis, where texels lean aside by `lean`.

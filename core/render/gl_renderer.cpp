@@ -113,10 +113,12 @@ void GlRenderer::update_shadow_map(FrameSlot& slot) {
   slot.timer(PassId::shadow_map).begin();
   if (!same_light) light_frame_ = fit_light_frame(scene_, plan.light.toward);
   shadow_map_view_ = plan.view;
-  shadow_map_fit_ = receivers_ ? fit_shadow_map(*light_frame_, plan.view,
-                                                receivers_->find({scene_gpu_, id_pass_, plan.view, plan.near_distance, depth_}),
-                                                settings_.shadow_map_px)
-                               : uniform_shadow_map(*light_frame_, settings_.shadow_map_px);
+  if (receivers_) {
+    const std::vector<dvec3> seen = receivers_->find({scene_gpu_, id_pass_, plan.view, plan.near_distance, depth_});
+    shadow_map_fit_ = fit_shadow_map(*light_frame_, plan.view, seen, settings_.shadow_map_px);
+  } else {
+    shadow_map_fit_ = uniform_shadow_map(*light_frame_, settings_.shadow_map_px);
+  }
   shadow_map_pass_.run({scene_gpu_, shadow_map_fit_, settings_.shadow_map_px}, {shadow_map_target_});
   slot.timer(PassId::shadow_map).end();
 }

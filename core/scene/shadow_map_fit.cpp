@@ -71,7 +71,14 @@ dvec4 row(const dvec3& axis, double offset) { return {axis, offset}; }
 ShadowMapFit uniform_shadow_map(const LightFrame& light, int size_px) {
   const dvec3 box = light.hi - light.lo;
   const dvec2 texel = dvec2(box) / static_cast<double>(size_px) / box.z;
-  return {dvec3(0), light.unit_from_scene(), 0, false, light.x_axis, light.y_axis, texel.x, texel.y, std::max(texel.x, texel.y)};
+  ShadowMapFit fit;
+  fit.map_from_origin = light.unit_from_scene();
+  fit.across = light.x_axis;
+  fit.along = light.y_axis;
+  fit.texel_across = texel.x;
+  fit.texel_along = texel.y;
+  fit.uniform_texel = std::max(texel.x, texel.y);
+  return fit;
 }
 
 ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span<const dvec3> receivers, int size_px) {
@@ -109,7 +116,8 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
 
   const dvec4 w = w_scale * row(w_per_length * v_axis, 1 - along.lo * w_per_length);
   const dvec4 v = margin * w + inner * w_scale * w_hi / along.size() * row(v_axis, -along.lo);
-  const dvec4 u = margin * w + inner / across.size() * (w_scale * row(x_axis - lean * v_axis, lean * along.lo) - across.lo * w);
+  const dvec4 x = w_scale * row(x_axis - lean * v_axis, lean * along.lo);
+  const dvec4 u = margin * w + inner / across.size() * (x - across.lo * w);
   const dvec4 z = row(-light.toward, -glm::dot(view.eye + nearest, light.toward) - light.lo.z) / box.z;
 
   ShadowMapFit fit;

@@ -23,7 +23,7 @@ struct ShadowMapFit {
   dmat4 map_from_origin{1};
   double inverse_w_slope = 0;  ///< 0 without warp, else in (-1, 0)
   bool warped = false;         ///< by fit_shadow_map(); lispsm without receivers is not
-  dvec3 across{0}, along{0};   ///< unit, scene space, across the light: the directions of u, and of v and w
+  dvec3 across{0}, along{0};   ///< unit, scene space, square to the light: the directions of u, and of v and w
   double texel_across = 0;     ///< a texel is texel_across * w wide, in units of z, ...
   double texel_along = 0;      ///< ... and texel_along * w^2 long, measured straight along `along`
   double uniform_texel = 0;    ///< the longer side of a texel of uniform_shadow_map()
@@ -37,8 +37,8 @@ ShadowMapFit uniform_shadow_map(const LightFrame& light, int size_px);
 /// EGSR 2004): fitted to the convex hull of `receivers`, points relative to view.eye in front of it, with the warp that
 /// evens out texels a pixel over the picture, n = (z0 + sqrt(z0 z1)) / sin(view, light). The pole's place aside is free,
 /// and chosen so that the receivers fill the map: under a low light a floor is a thin line across it. What casts shadows
-/// on them is in the map as well, as it holds all that lies before and behind the hull along the light. Where view and light
-/// are nearly parallel it is fitted without warp; without receivers it is uniform_shadow_map(). Always finite, and
+/// on them is in the map as well, as it holds all that lies before and behind the hull along the light. Where view and
+/// light are nearly parallel it is fitted without warp; without receivers it is uniform_shadow_map(). Always finite, and
 /// w >= 1 over the map. `light` tells direction and range of depths.
 ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span<const dvec3> receivers, int size_px);
 
