@@ -82,16 +82,20 @@ TEST_F(ShadowWarpTest, NoLightIsMuchWorseThanUniform) {
 
 // A part of a frame is fitted to what the whole frame sees.
 TEST_F(ShadowWarpTest, ACropHasTheWholesPixels) {
-  RenderJob job = low_over_floor();
-  const Frame whole = render(job, ShadowMode::map, ShadowWarp::lispsm);
-  const PixelRect crop{100, 90, 120, 100};
-  job.settings.crop = crop;
-  const Frame part = render(job, ShadowMode::map, ShadowWarp::lispsm);
-  ASSERT_EQ(part.picture.width_px, crop.width_px);
-  for (int y = 0; y < crop.height_px; ++y)
-    for (int x = 0; x < 3 * crop.width_px; ++x)
-      ASSERT_EQ(part.picture.data[static_cast<size_t>(y) * 3 * crop.width_px + x],
-                whole.picture.data[(static_cast<size_t>(y) + crop.y_px) * 3 * 320 + 3 * crop.x_px + x]);
+  for (ShadowMode shadows : {ShadowMode::map, ShadowMode::blur})
+    for (int samples : {1, 3}) {
+      RenderJob job = low_over_floor();
+      job.settings.samples = samples;
+      const Frame whole = render(job, shadows, ShadowWarp::lispsm);
+      const PixelRect crop{100, 90, 120, 100};
+      job.settings.crop = crop;
+      const Frame part = render(job, shadows, ShadowWarp::lispsm);
+      ASSERT_EQ(part.picture.width_px, crop.width_px);
+      for (int y = 0; y < crop.height_px; ++y)
+        for (int x = 0; x < 3 * crop.width_px; ++x)
+          ASSERT_EQ(part.picture.data[static_cast<size_t>(y) * 3 * crop.width_px + x],
+                    whole.picture.data[(static_cast<size_t>(y) + crop.y_px) * 3 * 320 + 3 * crop.x_px + x]);
+    }
 }
 
 // What sees nothing has nothing to fit a map to.
