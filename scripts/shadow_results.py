@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What shadow modes cost and what they get wrong; writes docs/results/shadows.md, with --warps shadow_warp.md.
 
-  scripts/shadow_results.py [--warps] [--lights 12] [--triangles 500000] [--build build/release] [-o FILE] [SCENE ...]
+  scripts/shadow_results.py [--warps] [--lights 12] [--triangles 500000] [--options="--fov 30"] [-o FILE] [SCENE ...]
 
 Each mode renders two frames from the same place under each light; times are of the second, when what stands still is
 kept. Wrong pixels are those whose shadow differs from `--method reference`, where both see the same triangle.
@@ -42,14 +42,15 @@ def pixels(path):
 
 
 class Runner:
-    def __init__(self, binary, folder):
-        self.binary, self.folder = binary, Path(folder)
+    def __init__(self, binary, folder, options):
+        self.binary, self.folder, self.options = binary, Path(folder), options
 
     def render(self, name, scene, light, options):
         """The timings of the second frame, and its shadows and ids."""
         out = self.folder / name
         command = [self.binary, "render", scene, "-q", "--frames", "2", "--frames-in-flight", "1", "--aov", "shadow,id",
-                   "--light", ",".join(f"{x:.6f}" for x in light), "-o", out / "p.#.ppm", *options]
+                   "--light", ",".join(f"{x:.6f}" for x in light), "-o", out / "p.#.ppm", *self.options,
+                   *options]
         subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
         with open(out / "timings.csv", newline="", encoding="ascii") as file:
             row = {key: float(value) for key, value in list(csv.DictReader(file))[-1].items()}
@@ -113,6 +114,7 @@ def main():
     parser.add_argument("--warps", action="store_true", help="compare --shadow-warp, without times")
     parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--build", type=Path, default=Path("build/release"))
+    parser.add_argument("--options", default="", help="of render, for every mode and the reference")
     parser.add_argument("-o", "--output", type=Path)
     parser.add_argument("scenes", nargs="*", help="default: chess, thin and spheres")
     args = parser.parse_args()
@@ -121,10 +123,12 @@ def main():
     scenes = args.scenes or [f"scene:{name},triangles={args.triangles}" for name in ("chess", "thin", "spheres")]
     lines = [text_before_tables(output)]
     names = " ".join(Path(scene).name if os.path.exists(scene) else scene for scene in args.scenes)
+    if args.options:
+        flag += f'--options="{args.options}" '
     lines += [f"`scripts/shadow_results.py {flag}--lights {args.lights} --triangles {args.triangles} {names}`, "
               f"{platform.processor() or platform.machine()}, {args.threads} threads.", ""]
     with tempfile.TemporaryDirectory() as folder:
-        runner = Runner((args.build / "bin/hybridrt").resolve(), folder)
+        runner = Runner((args.build / "bin/hybridrt").resolve(), folder, args.options.split())
         for scene in scenes:
             print(scene, end=" ", file=sys.stderr, flush=True)
             results = measure(runner, scene, modes, list(directions(args.lights)), args.threads)
