@@ -10,6 +10,7 @@ const std::map<std::string, Method> kMethods = {{"hybrid", Method::hybrid},
                                                 {"raster", Method::raster},
                                                 {"raytrace", Method::raytrace},
                                                 {"reference", Method::reference}};
+const std::map<std::string, ShadowWarp> kWarps = {{"uniform", ShadowWarp::uniform}, {"lispsm", ShadowWarp::lispsm}};
 const std::map<std::string, Accel> kAccels = {{"kdtree", Accel::kdtree}, {"embree", Accel::embree}};
 const std::map<std::string, gl::Binding> kBindings = {
     {"auto", gl::Binding::any}, {"egl", gl::Binding::egl}, {"osmesa", gl::Binding::osmesa}};
@@ -51,6 +52,9 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
       ->type_name("S")->group(method);
   app.add_option("--blur-kernel", o.blur_kernel, "Odd, 1-31 pixels (default 5)")->type_name("K")->group(method);
   app.add_option("--shadow-map", o.shadow_map, "Texels along each side (default 2048)")->type_name("N")->group(method);
+  app.add_option_function("--shadow-warp", by_name("--shadow-warp", kWarps, o.shadow_warp),
+                          "lispsm (default): fitted to what is seen, more of it nearby; uniform: to the whole scene")
+      ->type_name("W")->group(method);
   app.add_option("--samples", o.samples, "Samples a pixel, 1-4096, in a fixed pattern (default 1)")
       ->type_name("N")->group(method);
   app.add_option("--reflection-depth", o.reflection_depth, "Generations of rays after the first, 0-64 (default 4)")

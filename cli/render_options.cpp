@@ -50,6 +50,7 @@ RenderSettings make_settings(const RenderOptions& o) {
   require_range("--frames-in-flight", o.frames_in_flight, 1, 16);
   s.blur_kernel_px = o.blur_kernel;
   s.shadow_map_px = o.shadow_map;
+  s.shadow_warp = o.shadow_warp;
   s.reflection_depth = o.reflection_depth;
   s.samples = o.samples;
   s.frames_in_flight = o.frames_in_flight;

@@ -28,6 +28,7 @@ struct RenderOptions {
   std::string size = "1024x768", crop;
   Method method = Method::hybrid;
   std::string shadows;  ///< empty: the method's default
+  ShadowWarp shadow_warp = ShadowWarp::lispsm;
   int blur_kernel = 5, shadow_map = 2048, reflection_depth = 4, samples = 1;
   std::optional<int> threads;  ///< default: all allowed processors
   std::string max_memory;      ///< SIZE or "none"; empty: what the machine and the cgroup have

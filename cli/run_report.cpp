@@ -53,7 +53,7 @@ std::string settings_line(const RenderSettings& s) {
   if (s.samples > 1) line += fmt::format(" samples {}", s.samples);
   if (s.crop)
     line += fmt::format(" crop {},{},{},{}", s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px);
-  if (s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur) line += fmt::format(" shadow-map {}", s.shadow_map_px);
+  if (uses_shadow_map(s)) line += fmt::format(" shadow-map {} {}", s.shadow_map_px, name_of(s.shadow_warp));
   if (s.shadows == ShadowMode::blur) line += fmt::format(" blur-kernel {}", s.blur_kernel_px);
   return line;
 }
@@ -105,6 +105,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
                         {"shadows", name_of(s.shadows)},
                         {"blur_kernel", s.blur_kernel_px},
                         {"shadow_map", s.shadow_map_px},
+                        {"shadow_warp", name_of(s.shadow_warp)},
                         {"reflection_depth", s.reflection_depth},
                         {"samples", s.samples},
                         {"frames_in_flight", s.frames_in_flight}};

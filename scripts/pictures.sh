@@ -21,7 +21,7 @@ render scenes/fronds.obj --size 640x480 --eye 2.6,2.2,3.6 --target -0.3,0.8,-0.6
 # Shadow boundaries without and with refinement (the paper's figures 8 and 9).
 for shadows in map blur; do
   render scenes/still_life.obj --size 400x300 --eye 0.2,1.5,5.2 --target -1.9,0.15,1.6 --fov 26 --shadow-map 256 \
-    --shadows "$shadows" -o "$out/shadows_$shadows.png"
+    --shadow-warp uniform --shadows "$shadows" -o "$out/shadows_$shadows.png"
 done
 
 # Glass and a polished board by generations of rays: none, one (the paper's figures), the default.

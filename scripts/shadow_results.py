@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What shadow modes cost and what they get wrong; writes docs/results/shadows.md.
+"""What shadow modes cost and what they get wrong; writes docs/results/shadows.md, with --warps shadow_warp.md.
 
-  scripts/shadow_results.py [--lights 12] [--triangles 500000] [--build build/release] [-o docs/results/shadows.md] [SCENE ...]
+  scripts/shadow_results.py [--warps] [--lights 12] [--triangles 500000] [--options="--fov 30"] [-o FILE] [SCENE ...]
 
 Each mode renders two frames from the same place under each light; times are of the second, when what stands still is
 kept. Wrong pixels are those whose shadow differs from `--method reference`, where both see the same triangle.
@@ -22,6 +22,8 @@ from results_file import text_before_tables
 MODES = [("map", ["--shadows", "map"])] + \
         [(f"blur {k}×{k}", ["--shadows", "blur", "--blur-kernel", str(k)]) for k in (3, 5, 9, 15)] + \
         [("exact", ["--shadows", "exact"]), ("rays", ["--shadows", "rays"])]
+WARP_MODES = [(f"{mode} {warp}", ["--shadows", mode, "--shadow-warp", warp])
+              for mode in ("map", "blur") for warp in ("uniform", "lispsm")]
 
 
 def directions(count):
@@ -40,14 +42,15 @@ def pixels(path):
 
 
 class Runner:
-    def __init__(self, binary, folder):
-        self.binary, self.folder = binary, Path(folder)
+    def __init__(self, binary, folder, options):
+        self.binary, self.folder, self.options = binary, Path(folder), options
 
     def render(self, name, scene, light, options):
         """The timings of the second frame, and its shadows and ids."""
         out = self.folder / name
         command = [self.binary, "render", scene, "-q", "--frames", "2", "--frames-in-flight", "1", "--aov", "shadow,id",
-                   "--light", ",".join(f"{x:.6f}" for x in light), "-o", out / "p.#.ppm", *options]
+                   "--light", ",".join(f"{x:.6f}" for x in light), "-o", out / "p.#.ppm", *self.options,
+                   *options]
         subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
         with open(out / "timings.csv", newline="", encoding="ascii") as file:
             row = {key: float(value) for key, value in list(csv.DictReader(file))[-1].items()}
@@ -68,12 +71,12 @@ def wrong_pixels(shadow, ids, true_shadow, true_ids):
     return false_lit, false_shadow, other
 
 
-def measure(runner, scene, lights, threads):
+def measure(runner, scene, modes, lights, threads):
     """{mode: [(ms, traced share, false lit, false shadow, other triangle) of each light]}"""
-    results = {mode: [] for mode, _ in MODES}
+    results = {mode: [] for mode, _ in modes}
     for light in lights:
         _, true_shadow, true_ids = runner.render("truth", scene, light, ["--method", "reference"])
-        for mode, options in MODES:
+        for mode, options in modes:
             row, shadow, ids = runner.render("mode", scene, light, ["--threads", str(threads), *options])
             tracing = row["trace_ms"] - row["repair_ms"] - row["secondary_cpu_ms"] / threads
             ms = row["shadow_map_ms"] + row["mark_ms"] + tracing
@@ -95,27 +98,43 @@ def table(results):
     return lines
 
 
+def table_without_times(results):
+    lines = ["| `--shadows` | traced: median (worst) | false lit, all lights | false shadow |", "|---|---|---|---|"]
+    for mode, rows in results.items():
+        _, traced, lit, shadow, _, _ = zip(*rows)
+        lines.append(f"| {mode} | {100 * statistics.median(traced):.1f} % ({100 * max(traced):.1f} %) | {sum(lit)} | "
+                     f"{sum(shadow)} |")
+    return lines
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--lights", type=int, default=12)
     parser.add_argument("--triangles", type=int, default=500000)
+    parser.add_argument("--warps", action="store_true", help="compare --shadow-warp, without times")
     parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--build", type=Path, default=Path("build/release"))
-    parser.add_argument("-o", "--output", type=Path, default=Path("docs/results/shadows.md"))
+    parser.add_argument("--options", default="", help="of render, for every mode and the reference")
+    parser.add_argument("-o", "--output", type=Path)
     parser.add_argument("scenes", nargs="*", help="default: chess, thin and spheres")
     args = parser.parse_args()
+    modes, flag, name = (WARP_MODES, "--warps ", "shadow_warp.md") if args.warps else (MODES, "", "shadows.md")
+    output = args.output or Path("docs/results") / name
     scenes = args.scenes or [f"scene:{name},triangles={args.triangles}" for name in ("chess", "thin", "spheres")]
-    lines = [text_before_tables(args.output)]
+    lines = [text_before_tables(output)]
     names = " ".join(Path(scene).name if os.path.exists(scene) else scene for scene in args.scenes)
-    lines += [f"`scripts/shadow_results.py --lights {args.lights} --triangles {args.triangles} {names}`, "
+    if args.options:
+        flag += f'--options="{args.options}" '
+    lines += [f"`scripts/shadow_results.py {flag}--lights {args.lights} --triangles {args.triangles} {names}`, "
               f"{platform.processor() or platform.machine()}, {args.threads} threads.", ""]
     with tempfile.TemporaryDirectory() as folder:
-        runner = Runner((args.build / "bin/hybridrt").resolve(), folder)
+        runner = Runner((args.build / "bin/hybridrt").resolve(), folder, args.options.split())
         for scene in scenes:
             print(scene, end=" ", file=sys.stderr, flush=True)
-            results = measure(runner, scene, list(directions(args.lights)), args.threads)
-            lines += [f"## {Path(scene).name if os.path.exists(scene) else scene}", "", *table(results), ""]
-    args.output.write_text("\n".join(lines), encoding="utf-8")
+            results = measure(runner, scene, modes, list(directions(args.lights)), args.threads)
+            lines += [f"## {Path(scene).name if os.path.exists(scene) else scene}", "",
+                      *(table_without_times(results) if args.warps else table(results)), ""]
+    output.write_text("\n".join(lines), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 #version 450 core
 // Pass 1, where materials have holes.
 #include "holes_vert.glsl"
-uniform mat4 light_clip_from_scene;
+uniform vec3 origin_high;
+uniform vec3 origin_low;
+uniform mat4 clip_from_origin;
 
-void main() { gl_Position = light_clip_from_scene * vec4(corner(), 1.0); }
+void main() { gl_Position = clip_from_origin * vec4((corner() - origin_high) - origin_low, 1.0); }

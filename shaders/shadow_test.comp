@@ -2,33 +2,57 @@
 // Pass 2, second step: is the pixel's point in light, as far as the shadow map knows? Done once a pixel from
 // its id, not once a fragment while rasterising.
 #include "scene.glsl"
+#include "shadow_warp.glsl"
 
 layout(binding = HRT_UNIT_SHADOW_MAP) uniform sampler2D shadow_map;
 layout(binding = HRT_IMAGE_OUT, r8ui) uniform writeonly uimage2D mask;
 
-uniform mat4 light_texture_from_eye;  // x, y, depth in 0..1
+// As ShadowMapFit has them.
+uniform mat4 map_from_eye;  // u w, v w, depth, w
+uniform float inverse_w_slope;
+uniform float texel_across;
+uniform float texel_along;
+uniform float uniform_texel;
+uniform float lean_first;
+uniform float lean_step;
+uniform int warped;
+uniform vec3 across;
+uniform vec3 along;
 uniform vec3 to_light;
-uniform float texel_depth;  // one texel's width, in units of the map's depth
 
-const float kMaxSlope = 20.0;
+const float kMaxSlope = 20.0;  // where the light grazes, an offset has to end
+
+// How much nearer than the point the map may be without shadow: it knows the depth at a texel's centre only.
+float depth_offset(vec3 normal, float cos_light, float u, float w) {
+  vec2 texel = texel_size(texel_across, texel_along, w);
+  float widest = max(texel.x, texel.y);
+  if (warped == 0) {  // a centre is up to 0.71 texels away along the slope
+    float slope = sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light;
+    return widest * (min(slope, kMaxSlope) + 0.2);
+  }
+  vec2 gradient = vec2(dot(normal, across), dot(normal, along)) / cos_light;
+  float half_texel = 0.5 * depth_over_texel(gradient, texel, lean_first + lean_step * u);
+  return min(half_texel, kMaxSlope * uniform_texel) + 0.2 * widest;
+}
 
 uint shadow_mask(ivec2 pixel) {
   uint id = texelFetch(ids, pixel, 0).r;
   if (id == HRT_NO_TRIANGLE) return HRT_MASK_NO_RECEIVER;
   vec3 dir = pixel_ray(pixel);
   Triangle t = fetch_triangle(id);
-  float cos_light = dot(geometric_normal(t, dir), to_light);
+  vec3 normal = geometric_normal(t, dir);
+  float cos_light = dot(normal, to_light);
   if (cos_light <= 0.0) return 0;  // seen from its unlit side
 
   vec3 weights = clamped_barycentrics(t.p0, t.p1, t.p2, dir);
   vec3 point = weights.x * t.p0 + weights.y * t.p1 + weights.z * t.p2;
-  vec3 in_map = (light_texture_from_eye * vec4(point, 1.0)).xyz;
-  // The map knows the depth at the texel's centre, up to 0.71 texels away along the slope.
-  float slope = min(sqrt(max(1.0 - cos_light * cos_light, 0.0)) / cos_light, kMaxSlope);
+  vec4 in_map = map_from_eye * vec4(point, 1.0);
+  vec2 uv = in_map.xy / in_map.w;
   ivec2 size = textureSize(shadow_map, 0);
-  ivec2 texel = clamp(ivec2(in_map.xy * vec2(size)), ivec2(0), size - 1);
-  float nearest = texelFetch(shadow_map, texel, 0).r;
-  return nearest < in_map.z - texel_depth * (slope + 0.2) ? 0u : HRT_MASK_LIT;
+  ivec2 texel = clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1);
+  float w = map_w((float(texel.y) + 0.5) / float(size.y), inverse_w_slope);
+  float nearest = texelFetch(shadow_map, texel, 0).r * w;
+  return nearest < in_map.z - depth_offset(normal, cos_light, uv.x, w) ? 0u : HRT_MASK_LIT;
 }
 
 void main() {

@@ -5,6 +5,9 @@
 // Pixels along each side of a compute work group.
 #define HRT_GROUP_PX 8
 
+// Pixels along each side of a block of receivers.
+#define HRT_RECEIVER_BLOCK_PX 16
+
 // Id buffer: the triangle seen at a pixel's centre, or this.
 #define HRT_NO_TRIANGLE 0xFFFFFFFFu
 
@@ -35,6 +38,7 @@
 #define HRT_UNIT_TEXCOORDS 11
 #define HRT_UNIT_TRIANGLE_TEXCOORDS 12
 #define HRT_UNIT_TRIANGLE_MAPS 13
+#define HRT_UNIT_DEPTH 14
 
 // Image unit of a compute pass's only output.
 #define HRT_IMAGE_OUT 0

@@ -4,8 +4,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
-
 namespace hybridrt {
 
 IdBufferPass::IdBufferPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes)
@@ -40,8 +38,6 @@ ShadowTestPass::ShadowTestPass(const gl::Functions& gl, const gl::ShaderSources&
 
 void ShadowTestPass::run(const In& in, const Out& out) const {
   const gl::Functions& gl = gl_;
-  const dvec3 box = in.light.hi - in.light.lo;
-  const double texel = std::max(box.x, box.y) / in.shadow_map_size_px;
   in.scene.bind_geometry(gl);
   gl.BindTextureUnit(HRT_UNIT_IDS, in.ids.id());
   gl.BindTextureUnit(HRT_UNIT_SHADOW_MAP, in.shadow_map.id());
@@ -49,10 +45,17 @@ void ShadowTestPass::run(const In& in, const Out& out) const {
 
   program_.use();
   set_view_uniforms(program_, in.view);
-  program_.set("light_texture_from_eye",
-               mat4(in.light.unit_from_scene() * glm::translate(dmat4(1), in.view.eye)));
-  program_.set("to_light", vec3(in.light.toward));
-  program_.set("texel_depth", static_cast<float>(texel / box.z));
+  program_.set("map_from_eye", mat4(in.fit.map_from_origin * glm::translate(dmat4(1), in.view.eye - in.fit.origin)));
+  program_.set("inverse_w_slope", static_cast<float>(in.fit.inverse_w_slope));
+  program_.set("texel_across", static_cast<float>(in.fit.texel_across));
+  program_.set("texel_along", static_cast<float>(in.fit.texel_along));
+  program_.set("to_light", vec3(in.to_light));
+  program_.set("across", vec3(in.fit.across));
+  program_.set("along", vec3(in.fit.along));
+  program_.set("uniform_texel", static_cast<float>(in.fit.uniform_texel));
+  program_.set("lean_first", static_cast<float>(in.fit.lean_first));
+  program_.set("lean_step", static_cast<float>(in.fit.lean_step));
+  program_.set("warped", in.fit.warped);
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);
   gl::throw_on_error(gl, "pass 2, shadow test");

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/passes/scene_gpu.h"
-#include "core/scene/light_frame.h"
+#include "core/scene/shadow_map_fit.h"
 
 namespace hybridrt {
 
@@ -33,10 +33,10 @@ struct ShadowTestPass {
   struct In {
     const SceneGpu& scene;
     const View& view;
-    const LightFrame& light;
+    const dvec3& to_light;  ///< unit
+    const ShadowMapFit& fit;  ///< what `shadow_map` was drawn by
     const gl::Texture& ids;
     const gl::Texture& shadow_map;
-    int shadow_map_size_px;
   };
   struct Out {
     const gl::TextureName& mask;  ///< R8UI, HRT_MASK_* bits (shaders/shared.h)

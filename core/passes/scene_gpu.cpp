@@ -133,9 +133,13 @@ void SceneGpu::bind_shading(const gl::Functions& gl) const {
 }
 
 void set_eye_uniforms(const gl::Program& program, const dvec3& eye) {
-  const vec3 high(eye);
-  program.set("eye_high", high);
-  program.set("eye_low", vec3(eye - dvec3(high)));
+  set_far_point(program, "eye_high", "eye_low", eye);
+}
+
+void set_far_point(const gl::Program& program, const char* high_name, const char* low_name, const dvec3& point) {
+  const vec3 high(point);
+  program.set(high_name, high);
+  program.set(low_name, vec3(point - dvec3(high)));
 }
 
 void set_view_uniforms(const gl::Program& program, const View& view) {

@@ -18,12 +18,14 @@ void ShadowMapPass::run(const In& in, const Out& out) const {
   gl.DepthFunc(GL_LESS);
   gl.ClearNamedFramebufferfv(out.depth.id(), GL_DEPTH, 0, &farthest);
 
-  // x and y from 0..1 to clip space's -1..1; depth is 0..1 in both.
-  dmat4 clip_from_unit(1);
-  clip_from_unit[0][0] = clip_from_unit[1][1] = 2;
-  clip_from_unit[3][0] = clip_from_unit[3][1] = -1;
+  // x and y from 0..1 to clip space's -1..1; depth is 0..1 in both. What lies behind a warp's pole has w < 0 and is
+  // clipped.
+  dmat4 clip_from_map(1);
+  clip_from_map[0][0] = clip_from_map[1][1] = 2;
+  clip_from_map[3][0] = clip_from_map[3][1] = -1;
   program_.use();
-  program_.set("light_clip_from_scene", mat4(clip_from_unit * in.light.unit_from_scene()));
+  set_far_point(program_, "origin_high", "origin_low", in.fit.origin);
+  program_.set("clip_from_origin", mat4(clip_from_map * in.fit.map_from_origin));
   if (holes_) in.scene.draw_with_holes(gl);
   else in.scene.draw(gl);
   gl::throw_on_error(gl, "pass 1, shadow map");

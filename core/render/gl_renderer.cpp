@@ -27,10 +27,6 @@ void mark_repaired(FrameSlot& slot) {
       if (slot.repaired_ids[i] != rasterised[i]) slot.settled_mask[first + i] |= HRT_MASK_REPAIRED;
 }
 
-bool uses_shadow_map(const RenderSettings& s) {
-  return s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur;
-}
-
 }  // namespace
 
 bool needs_caster(const SceneFacts& facts, const RenderSettings& s, bool light_moves) {
@@ -62,12 +58,14 @@ GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shad
                         "downloading the picture"),
       light_buffers_(scene, pool) {
   HRT_CHECK(light_count <= HRT_MAX_LIGHTS);
-  if (uses_shadow_map(s))
+  if (uses_shadow_map(s)) {
     for (size_t l = 0; l < light_count; ++l) {
       KeptShadowMap& map = shadow_maps_.emplace_back();
       map.depth = {gl_, GL_DEPTH_COMPONENT32F, s.shadow_map_px, s.shadow_map_px, "shadow map"};
       map.target = {gl_, nullptr, map.depth, "shadow map"};
     }
+    if (s.shadow_warp == ShadowWarp::lispsm) receivers_.emplace(gl_, shaders, s);
+  }
   if (s.shadows == ShadowMode::blur) {
     unmarked_mask_ = {gl_, GL_R8UI, part_.width_px, part_.height_px, light_count, "unmarked shadow mask"};
     row_sums_ = {gl_, GL_RG8UI, part_.width_px, part_.height_px, "blurred rows"};
@@ -117,17 +115,27 @@ void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
 }
 
 void GlRenderer::update_shadow_maps(FrameSlot& slot) {
+  const FramePlan& plan = slot.plan;
+  const auto same_light = [&](size_t l) {
+    return shadow_maps_[l].light && shadow_maps_[l].light->toward == plan.lights[l].toward;
+  };
   const auto is_kept = [&](size_t l) {
-    return !slot.plan.casts_shadow(l) ||
-           (shadow_maps_[l].light && shadow_maps_[l].light->toward == slot.plan.lights[l].toward);
+    return !plan.casts_shadow(l) || (same_light(l) && (!receivers_ || shadow_maps_[l].view == plan.view));
   };
   bool drawn = false;
+  std::vector<dvec3> seen;
   for (size_t l = 0; l < shadow_maps_.size(); ++l) {
     if (is_kept(l)) continue;
-    if (!std::exchange(drawn, true)) slot.timer(PassId::shadow_map).begin();
+    if (!std::exchange(drawn, true)) {
+      slot.timer(PassId::shadow_map).begin();
+      if (receivers_) seen = receivers_->find({scene_gpu_, id_pass_, plan.view, plan.near_distance, depth_});
+    }
     KeptShadowMap& map = shadow_maps_[l];
-    map.light = fit_light_frame(scene_, slot.plan.lights[l].toward);
-    shadow_map_pass_.run({scene_gpu_, *map.light, settings_.shadow_map_px}, {map.target});
+    if (!same_light(l)) map.light = fit_light_frame(scene_, plan.lights[l].toward);
+    map.view = plan.view;
+    map.fit = receivers_ ? fit_shadow_map(*map.light, plan.view, seen, settings_.shadow_map_px)
+                         : uniform_shadow_map(*map.light, settings_.shadow_map_px);
+    shadow_map_pass_.run({scene_gpu_, map.fit, settings_.shadow_map_px}, {map.target});
   }
   if (drawn) slot.timer(PassId::shadow_map).end();
 }
@@ -136,9 +144,9 @@ void GlRenderer::test_shadows(FrameSlot& slot) {
   const FramePlan& plan = slot.plan;
   for (size_t l = 0; l < shadow_maps_.size(); ++l)
     if (plan.casts_shadow(l))
-      shadow_test_pass_.run(
-          {scene_gpu_, plan.view, *shadow_maps_[l].light, slot.ids, shadow_maps_[l].depth, settings_.shadow_map_px},
-          {plan.mark ? unmarked_mask_ : slot.mask, static_cast<int>(l)});
+      shadow_test_pass_.run({scene_gpu_, plan.view, plan.lights[l].toward, shadow_maps_[l].fit, slot.ids,
+                             shadow_maps_[l].depth},
+                            {plan.mark ? unmarked_mask_ : slot.mask, static_cast<int>(l)});
 }
 
 void GlRenderer::mark_boundaries(FrameSlot& slot) {
@@ -155,11 +163,13 @@ void GlRenderer::mark_boundaries(FrameSlot& slot) {
 void GlRenderer::rasterize(FrameSlot& slot) {
   const FramePlan& plan = slot.plan;
   for (gl::TimerQuery& timer : slot.timers) timer.skip();
-  if (plan.shadow_map) update_shadow_maps(slot);
 
   slot.timer(PassId::id).begin();
   id_pass_.run({scene_gpu_, plan.view, plan.near_distance}, {slot.id_target});
-  if (plan.shadow_map) test_shadows(slot);
+  if (plan.shadow_map) {
+    update_shadow_maps(slot);
+    test_shadows(slot);
+  }
   slot.timer(PassId::id).end();
   if (plan.mark) mark_boundaries(slot);
 
@@ -246,6 +256,7 @@ Frame GlRenderer::shade(FrameSlot& slot) {
       picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), width, height, kept, frame.stats.pixels_hit);
   const double unpacking_ms = unpacking.elapsed_ms();
   for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
+  frame.timings[PassId::id] -= frame.timings[PassId::shadow_map];  // which lies between ids and shadow test
   frame.timings[PassId::trace] = slot.trace_ms;
   frame.timings[PassId::shadow_map] += slot.light_buffer_ms;  // the other structure of pass 1
   frame.timings[PassId::mark] += slot.settle_ms;

@@ -8,6 +8,7 @@
 #include "core/passes/shadow_map.h"
 #include "core/render/frame_slot.h"
 #include "core/render/kept_light_buffers.h"
+#include "core/render/visible_receivers.h"
 #include "core/trace/ray_caster.h"
 
 #include <deque>
@@ -33,9 +34,9 @@ class GlRenderer {
 
  private:
   void rasterize(FrameSlot& slot);  ///< passes 1-3, starts the readback and waits for it
-  void update_shadow_maps(FrameSlot& slot);
-  void test_shadows(FrameSlot& slot);     ///< pass 2's second step
-  void mark_boundaries(FrameSlot& slot);  ///< pass 3 on the GPU
+  void update_shadow_maps(FrameSlot& slot);  ///< after its ids
+  void test_shadows(FrameSlot& slot);        ///< pass 2's second step
+  void mark_boundaries(FrameSlot& slot);     ///< pass 3 on the GPU
   void trace(FrameSlot& slot);      ///< pass 4; any thread
   Frame shade(FrameSlot& slot);     ///< pass 5; waits for pass 4
 
@@ -61,13 +62,16 @@ class GlRenderer {
   gl::TextureArray unmarked_mask_;
   gl::Readback picture_readback_;
 
-  // The lights' structures, each kept while its light stands still.
+  // The lights' structures, each kept while its light stands still, a warped shadow map while the camera does, too.
   struct KeptShadowMap {
     std::optional<LightFrame> light;  ///< that it was drawn for
+    View view;
+    ShadowMapFit fit;
     gl::Texture depth;
     gl::Framebuffer target;
   };
   std::vector<KeptShadowMap> shadow_maps_;
+  std::optional<VisibleReceivers> receivers_;  ///< for warped maps
   KeptLightBuffers light_buffers_;
 
   std::deque<FrameSlot> slots_;

@@ -39,8 +39,10 @@ size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t depth = 4, picture = 16 + 16;  // and its readback
   const size_t slot = 4 * 2 + lights * (2 + 1) + 16;  // ids and mask with their readbacks, lit, traced
   size_t bytes = pixels * (depth + picture + s.frames_in_flight * slot);
-  if (s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur)
+  if (uses_shadow_map(s)) {
     bytes += lights * 4 * s.shadow_map_px * s.shadow_map_px;
+    if (s.shadow_warp == ShadowWarp::lispsm && renders_part(s)) bytes += depth * s.width_px * s.height_px;
+  }
   if (s.shadows == ShadowMode::blur) bytes += pixels * (lights + 2);  // the unmarked mask and row sums
   return bytes;
 }

@@ -24,10 +24,16 @@ StepNote shadow_map_note(const FramePlan& plan, const RenderSettings& s, bool li
   constexpr std::string_view kStep = "pass 1 shadow map";
   if (!plan.shadow_map) return left_out(kStep, shadows_option(s) + " needs none");
   const bool several = plan.lights.size() > 1;
+  const bool warped = s.shadow_warp == ShadowWarp::lispsm;
   const char* moving = several ? "kept where a light stands still" : "the light moves";
   const char* still = several ? "the lights stand still" : "the light stands still";
-  return {kStep, light_moves ? Runs::each_frame : Runs::once,
-          fmt::format("{0} x {0} texels{1}; {2}", s.shadow_map_px, for_each_light(plan), light_moves ? moving : still)};
+  const char* fitted = several ? "fitted to what is seen; kept while camera and lights stand still"
+                               : "fitted to what is seen; kept while camera and light stand still";
+  return {kStep, light_moves || warped ? Runs::each_frame : Runs::once,
+          fmt::format("{0} x {0} texels{1}; {2}", s.shadow_map_px, for_each_light(plan),
+                      warped        ? fitted
+                      : light_moves ? moving
+                                    : still)};
 }
 
 StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {

@@ -27,6 +27,8 @@ std::string_view name_of(ShadowMode shadows) {
   return "?";
 }
 
+std::string_view name_of(ShadowWarp warp) { return warp == ShadowWarp::uniform ? "uniform" : "lispsm"; }
+
 std::string_view name_of(Accel accel) { return accel == Accel::kdtree ? "kdtree" : "embree"; }
 
 PixelRect picture_rect(const RenderSettings& s) { return s.crop.value_or(PixelRect{0, 0, s.width_px, s.height_px}); }
@@ -38,6 +40,15 @@ PixelRect rendered_rect(const RenderSettings& s) {
   const int x1 = std::min(s.width_px, picture.x_px + picture.width_px + margin);
   const int y1 = std::min(s.height_px, picture.y_px + picture.height_px + margin);
   return {x0, y0, x1 - x0, y1 - y0};
+}
+
+bool renders_part(const RenderSettings& s) {
+  const PixelRect part = rendered_rect(s);
+  return part.width_px < s.width_px || part.height_px < s.height_px;
+}
+
+bool uses_shadow_map(const RenderSettings& s) {
+  return s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur;
 }
 
 PixelRect kept_of_rendered(const RenderSettings& s) {

@@ -10,10 +10,12 @@ namespace hybridrt {
 
 enum class Method { hybrid, raster, raytrace, reference };
 enum class ShadowMode { none, map, blur, exact, rays };
+enum class ShadowWarp { uniform, lispsm };  ///< of the shadow map of map and blur
 enum class Accel { kdtree, embree };
 
 std::string_view name_of(Method method);
 std::string_view name_of(ShadowMode shadows);
+std::string_view name_of(ShadowWarp warp);
 std::string_view name_of(Accel accel);
 
 /// Which pictures besides the final one a frame keeps (the paper's figure 3); bits.
@@ -47,6 +49,7 @@ struct RenderSettings {
   ShadowMode shadows = ShadowMode::exact;
   int blur_kernel_px = 5;    ///< odd, 1..31
   int shadow_map_px = 2048;
+  ShadowWarp shadow_warp = ShadowWarp::lispsm;
   int reflection_depth = 4;  ///< generations after the primary one
   int samples = 1;           ///< a pixel, averaged
   int frames_in_flight = 2;
@@ -61,6 +64,12 @@ PixelRect picture_rect(const RenderSettings& settings);
 /// The part that is rendered for it: what pass 3 blurs must see half a kernel beyond the crop's edges, or the
 /// pixels there would not be those of the whole frame.
 PixelRect rendered_rect(const RenderSettings& settings);
+
+/// Whether that is less than the frame.
+bool renders_part(const RenderSettings& settings);
+
+/// Whether frames have a shadow map.
+bool uses_shadow_map(const RenderSettings& settings);
 
 /// Where the delivered part lies in the rendered one.
 PixelRect kept_of_rendered(const RenderSettings& settings);

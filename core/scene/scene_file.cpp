@@ -75,7 +75,8 @@ std::string setting_text(const JsonPlace& place) {
   std::string list;
   for (size_t i = 0; i < place.size(); ++i) {
     if (place[i].value().is_structured()) place[i].fail("must be a string or a number");
-    list += (i > 0 ? "," : "") + setting_text(place[i]);
+    if (i > 0) list += ',';
+    list += setting_text(place[i]);
   }
   return list;
 }

@@ -41,6 +41,10 @@ View part_of(const View& frame, int x_px, int y_px, int width_px, int height_px)
   return view;
 }
 
+View whole_frame_of(const View& part) {
+  return part_of(part, -part.x_px, -part.y_px, part.frame_width_px, part.frame_height_px);
+}
+
 dmat4 clip_from_eye(const View& view, double near_distance) {
   const dvec3& w = view.forward;
   // What is seen at the sample moves to the centre, where rasterising looks.

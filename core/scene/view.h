@@ -17,6 +17,8 @@ struct View {
   dvec2 sample_px{0};                                    ///< where in the pixel it is looked at, from the centre
   int samples = 1;                                       ///< of a pixel: each stands for a part of its area
 
+  bool operator==(const View&) const = default;
+
   /// Direction through the sample (by default the centre) of pixel (x, y) of the picture, row 0 on top; its component along `forward`
   /// is 1. Bit by bit the same for a part of a frame as for the whole.
   dvec3 pixel_dir(int x, int y) const {
@@ -44,6 +46,9 @@ View make_view(const Camera& camera, const dvec3& scene_origin_world, int width_
 
 /// The part of a whole frame's view that is `width_px` by `height_px` pixels large and begins at (x_px, y_px).
 View part_of(const View& frame, int x_px, int y_px, int width_px, int height_px);
+
+/// Of the frame that a view is a part of.
+View whole_frame_of(const View& part);
 
 /// Perspective projection of positions relative to the eye, of the whole frame. Depth is reversed and reaches infinity
 /// (depth = near / distance): with float depth every distance keeps the same relative precision.

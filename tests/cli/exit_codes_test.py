@@ -33,6 +33,7 @@ class CommandLineTest(CliTestCase):
         self.refuse("--reflection-depth", "65", says="0 to 64")
         self.refuse("--frames-in-flight", "0", says="--frames-in-flight 0")
         self.refuse("--shadow-map", "0", says="--shadow-map 0")
+        self.refuse("--shadow-warp", "tsm", says=("--shadow-warp tsm", "lispsm, uniform"))
         self.refuse("--threads", "1e9", says="--threads")
         self.refuse("--threads", "99999999999999999999", says="--threads")
 

@@ -1,4 +1,4 @@
-// shaders/surface.glsl on the GPU and as C++ must mean the same: thousands of random inputs through both.
+// shaders/surface.glsl and shadow_warp.glsl on the GPU and as C++ must mean the same: thousands of random inputs through both.
 
 #include <algorithm>
 #include <random>
@@ -6,6 +6,17 @@
 #include "core/gl/program.h"
 #include "core/trace/surface.h"
 #include "gl_test.h"
+
+namespace hybridrt::shadow_warp {
+namespace {
+using namespace glm;
+using Real = float;
+using Vec2 = glm::vec2;
+#define HRT_FN inline
+#include "shaders/shadow_warp.glsl"
+#undef HRT_FN
+}  // namespace
+}  // namespace hybridrt::shadow_warp
 
 namespace hybridrt {
 namespace {
@@ -30,8 +41,8 @@ class GlslAgainstCpp : public GlTest {
   std::vector<vec4> run_glsl(const std::string& body, const std::vector<vec4>& inputs, int per_case) {
     gl::ShaderSources sources = gl::embedded_shaders();
     sources["test.comp"] =
-        "#version 450 core\n#define Real float\n#define Vec3 vec3\n#define HRT_FN\n"
-        "#include \"surface.glsl\"\n"
+        "#version 450 core\n#define Real float\n#define Vec2 vec2\n#define Vec3 vec3\n#define HRT_FN\n"
+        "#include \"surface.glsl\"\n#include \"shadow_warp.glsl\"\n"
         "layout(local_size_x = 8, local_size_y = 8) in;\n"
         "layout(binding = 0) uniform samplerBuffer inputs;\n"
         "layout(binding = 0, rgba32f) uniform writeonly image2D outputs;\n"
@@ -174,6 +185,34 @@ TEST_F(GlslAgainstCpp, ClampedBarycentrics) {
   }
   EXPECT_GT(inside, kCases / 20) << "too few cases meet their triangle";
   RecordProperty("worst_share_of_bound", std::to_string(worst));
+}
+
+TEST_F(GlslAgainstCpp, ShadowWarp) {
+  Random random;
+  std::vector<vec4> inputs;
+  for (int i = 0; i < kCases; ++i) {
+    const float slope = i % 8 == 0 ? 0 : -1 + std::exp2(-10 * random.unit());  // (-1, 0]: w up to 1000
+    const vec2 texel(random.unit(), random.unit());
+    inputs.push_back({random.unit(), slope, texel.x, texel.y});
+    inputs.push_back({random.in_cube(100), random.in_cube(4).x});
+  }
+  const std::vector<vec4> results = run_glsl(
+      "  float w = map_w(input_at(0).x, input_at(0).y);\n"
+      "  vec2 texel = texel_size(input_at(0).z, input_at(0).w, w);\n"
+      "  result = vec4(w, texel, depth_over_texel(input_at(1).xy, texel, input_at(1).w));\n",
+      inputs, 2);
+  for (int i = 0; i < kCases; ++i) {
+    const vec4 a = inputs[2 * i], b = inputs[2 * i + 1];
+    const float w = shadow_warp::map_w(a.x, a.y);
+    const vec2 texel = shadow_warp::texel_size(a.z, a.w, w);
+    // 1 + slope * row cancels: what a rounding of it is worth in w, and in its square.
+    const float relative = 0x1p-22f * w;
+    EXPECT_NEAR(results[i].x, w, relative * w) << i;
+    EXPECT_NEAR(results[i].y, texel.x, 2 * relative * texel.x) << i;
+    EXPECT_NEAR(results[i].z, texel.y, 3 * relative * texel.y) << i;
+    const float most = std::abs(b.x) * texel.x + (std::abs(b.y) + std::abs(b.w * b.x)) * texel.y;
+    EXPECT_NEAR(results[i].w, shadow_warp::depth_over_texel(vec2(b), texel, b.w), 4 * relative * most) << i;
+  }
 }
 
 }  // namespace

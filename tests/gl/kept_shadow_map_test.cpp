@@ -1,4 +1,4 @@
-// A still light's shadow map is kept; a light that moves gets a new one.
+// A still light's shadow map is kept, a warped one while the camera stands still, too; what moves gets a new one.
 
 #include "core/render/gl_renderer.h"
 #include "core/trace/embree_caster.h"
@@ -11,6 +11,11 @@ namespace {
 class KeptShadowMap : public GlTest {
  protected:
   std::vector<Frame> render_lights(const std::vector<dvec3>& lights, int slots) {
+    return render_frames(lights, std::vector<int>(lights.size(), 1), slots);
+  }
+
+  /// `places`: on the orbit, of the camera.
+  std::vector<Frame> render_frames(const std::vector<dvec3>& lights, const std::vector<int>& places, int slots) {
     RenderSettings settings = job_.settings;
     settings.frames_in_flight = slots;
     const auto caster = make_embree_caster(job_.scene, 1);
@@ -22,13 +27,18 @@ class KeptShadowMap : public GlTest {
         [&]() -> std::optional<FrameRequest> {
           if (begun == lights.size()) return std::nullopt;
           const DirectionalLight light{glm::normalize(lights[begun]), vec3(1)};
-          return FrameRequest{static_cast<int>(++begun), camera_at(job_.motion, 1), {light}};
+          const Camera camera = camera_at(job_.motion, places[begun]);
+          return FrameRequest{static_cast<int>(++begun), camera, {light}};
         },
         [&](Frame&& frame) { frames.push_back(std::move(frame)); });
     return frames;
   }
 
-  RenderJob job_ = orbit_job("scene:spheres,triangles=2000,reflective=0", 6);
+  RenderJob job_ = [] {
+    RenderJob job = orbit_job("scene:spheres,triangles=2000,reflective=0", 6);
+    job.settings.shadows = ShadowMode::map;
+    return job;
+  }();
   const dvec3 left_{-1, 1, 0.3}, right_{1, 1, 0.3};
 };
 
@@ -56,6 +66,24 @@ TEST_F(KeptShadowMap, FollowsALightThatMoves) {
     EXPECT_GT(frames[1].timings[PassId::shadow_map], 0);
     EXPECT_EQ(frames[2].timings[PassId::shadow_map], 0);
     EXPECT_GT(frames[3].timings[PassId::shadow_map], 0);
+  }
+}
+
+TEST_F(KeptShadowMap, FollowsACameraThatMovesIfWarped) {
+  for (ShadowWarp warp : {ShadowWarp::uniform, ShadowWarp::lispsm}) {
+    job_.settings.shadow_warp = warp;
+    const bool warped = warp == ShadowWarp::lispsm;
+    const Frame alone = std::move(render_frames({left_}, {2}, 1)[0]);
+    for (int slots : {1, 2, 3}) {
+      const std::vector<Frame> frames = render_frames({left_, left_, left_, left_}, {1, 2, 2, 1}, slots);
+      EXPECT_TRUE(frames[1].picture.data == alone.picture.data) << slots;
+      EXPECT_TRUE(frames[2].picture.data == alone.picture.data) << slots;
+      EXPECT_TRUE(frames[3].picture.data == frames[0].picture.data) << slots;
+      EXPECT_EQ(frames[1].timings[PassId::shadow_map] > 0, warped);
+      EXPECT_EQ(frames[2].timings[PassId::shadow_map], 0);
+      EXPECT_EQ(frames[3].timings[PassId::shadow_map] > 0, warped);
+      for (const Frame& frame : frames) EXPECT_GT(frame.timings[PassId::id], 0);
+    }
   }
 }
 

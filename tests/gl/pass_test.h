@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/passes/id_buffer.h"
+#include "core/passes/receiver_depths.h"
 #include "core/render/frame_plan.h"
 #include "core/scene/normals.h"
 #include "core/trace/kd_caster.h"
@@ -46,6 +47,12 @@ struct SeenScene {
   }
   std::vector<uint32_t> read_ids() const {
     return read_pixels<uint32_t>(gl, ids, view.width_px, view.height_px, GL_RED_INTEGER, GL_UNSIGNED_INT);
+  }
+  std::vector<dvec3> receivers(double near_distance) const {
+    const int across = ReceiverDepthsPass::blocks(view.width_px), down = ReceiverDepthsPass::blocks(view.height_px);
+    const gl::Texture blocks(gl, GL_RG32F, across, down, "blocks");
+    ReceiverDepthsPass(gl, gl::embedded_shaders()).run({depth, view.width_px, view.height_px}, {blocks});
+    return receiver_hull(view, near_distance, read_pixels<vec2>(gl, blocks, across, down, GL_RG, GL_FLOAT));
   }
 
   const gl::Functions& gl;

@@ -95,6 +95,7 @@ TEST(FrameFingerprint, ChangesWithCameraLightAndSettings) {
       {"ambient", [](FrameRequest&, RenderSettings& s) { s.ambient.x = 0.5f; }},
       {"background", [](FrameRequest&, RenderSettings& s) { s.background.z = 0.5f; }},
       {"map", [](FrameRequest&, RenderSettings& s) { s.shadow_map_px = 512; }},
+      {"warp", [](FrameRequest&, RenderSettings& s) { s.shadow_warp = ShadowWarp::uniform; }},
       {"shadowless light", [](FrameRequest& r, RenderSettings&) { r.lights = {{dvec3(0, 1, 0), vec3(1), false}}; }},
       {"depth", [](FrameRequest&, RenderSettings& s) { s.reflection_depth = 1; }}};
   std::set<uint64_t> seen = {fingerprint(1, FrameRequest{}, RenderSettings{})};
