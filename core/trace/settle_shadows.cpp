@@ -5,12 +5,11 @@
 #include "core/base/check.h"
 #include "core/trace/primary_surface.h"
 #include "core/trace/ray_generations.h"
+#include "core/trace/tile.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
 namespace {
-
-constexpr size_t kPixelsAChunk = 4096;
 
 uint8_t mask_of(ShadowCertainty certainty) {
   switch (certainty) {
@@ -46,11 +45,12 @@ void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint3
                     std::span<uint8_t> lit, UnsettledShadows& unsettled) {
   const size_t lights = job.lights.size(), pixel_count = ids.size();
   HRT_CHECK(lights * pixel_count == mask.size() && mask.size() == lit.size());
-  const auto width = static_cast<size_t>(job.view.width_px);
-  const size_t chunks = (pixel_count + kPixelsAChunk - 1) / kPixelsAChunk;
+  const int width = job.view.width_px;
+  const size_t chunk_pixels = static_cast<size_t>(width) * Tile::kBlock_px;
+  const size_t chunks = (pixel_count + chunk_pixels - 1) / chunk_pixels;
   unsettled.chunks.resize(lights * chunks);
-  parallel_for(pool, pixel_count, kPixelsAChunk, [&](size_t begin, size_t end) {
-    const auto chunk_of = [&](size_t l) -> auto& { return unsettled.chunks[l * chunks + begin / kPixelsAChunk]; };
+  parallel_for(pool, pixel_count, chunk_pixels, [&](size_t begin, size_t end) {
+    const auto chunk_of = [&](size_t l) -> auto& { return unsettled.chunks[l * chunks + begin / chunk_pixels]; };
     for (size_t l = 0; l < lights; ++l) {
       chunk_of(l).queries.clear(), chunk_of(l).pixels.clear();
       for (size_t i = begin; i < end; ++i) {
@@ -58,16 +58,18 @@ void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint3
         lit[l * pixel_count + i] = 0;
       }
     }
-    for (size_t i = begin; i < end; ++i) {
-      if (ids[i] == kNoTriangle) continue;
-      const dvec3 dir = glm::normalize(job.view.pixel_dir(static_cast<int>(i % width), static_cast<int>(i / width)));
+    const Tile rows{0, static_cast<int>(begin / width), width, static_cast<int>(end / width)};
+    rows.for_each_pixel_in_blocks([&](int x, int y, uint32_t place) {
+      const size_t i = begin + place;
+      if (ids[i] == kNoTriangle) return;
+      const dvec3 dir = glm::normalize(job.view.pixel_dir(x, y));
       for_each_facing_light(job.scene, ids[i], job.view.eye, dir, job.lights, [&](size_t l, const ShadowQuery& query) {
         if (!job.casts_shadow(l)) return;
         chunk_of(l).queries.push_back(query);
         chunk_of(l).queries.back().anywhere = job.eye_enclosed;
         chunk_of(l).pixels.push_back(static_cast<uint32_t>(i));
       });
-    }
+    });
     for (size_t l = 0; l < lights; ++l)
       if (job.casts_shadow(l))
         settle_chunk(*job.lights[l].buffer, chunk_of(l), mask.subspan(l * pixel_count, pixel_count),

@@ -2,6 +2,7 @@
 
 #include "core/trace/primary_surface.h"
 #include "core/trace/ray_generations.h"
+#include "core/trace/tile.h"
 #include "shaders/shared.h"
 
 #include <bit>
@@ -11,23 +12,6 @@ namespace hybridrt {
 namespace {
 
 constexpr int kTile_px = 32;
-
-struct Tile {
-  int x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1)
-  uint32_t width() const { return static_cast<uint32_t>(x1 - x0); }
-  uint32_t pixel_count() const { return width() * static_cast<uint32_t>(y1 - y0); }
-
-  /// Calls body(x, y, place in the tile, row by row) in blocks of 4 x 4: rays that go together as a packet.
-  template <typename Body>
-  void for_each_pixel_in_blocks(const Body& body) const {
-    constexpr int kBlock_px = 4;
-    for (int block_y = y0; block_y < y1; block_y += kBlock_px)
-      for (int block_x = x0; block_x < x1; block_x += kBlock_px)
-        for (int y = block_y; y < std::min(block_y + kBlock_px, y1); ++y)
-          for (int x = block_x; x < std::min(block_x + kBlock_px, x1); ++x)
-            body(x, y, static_cast<uint32_t>(y - y0) * width() + static_cast<uint32_t>(x - x0));
-  }
-};
 
 /// Calls body(tile, stats) for every tile of the picture; returns the sum of the stats. Counts do not
 /// depend on the order of the tiles; times are sums of noise anyway.
