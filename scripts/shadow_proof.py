@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Proves `--shadows exact` through the whole program: every pixel against `--method reference`; writes docs/results/proof.md.
 
-  scripts/shadow_proof.py [--quick] [--lights 12] [--size 480x360] [--build build/release] [-o FILE] [SCENE | FOLDER ...]
+  scripts/shadow_proof.py [--quick] [--lights 12] [--size 400x300] [--build build/release] [-o FILE] [SCENE | FOLDER ...]
 
 Scenes, and all OBJ and PLY files below folders, are seen from near and from afar, each under lights from the zenith
 to half a degree above the horizon and one along the view. Exits with 1 if one pixel's shadow is wrong. --quick: small.
@@ -76,7 +76,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--lights", type=int, default=12)
-    parser.add_argument("--size", default="480x360")
+    parser.add_argument("--size", default="400x300")
     parser.add_argument("--build", type=Path, default=Path("build/release"))
     parser.add_argument("-o", "--output", type=Path, default=Path("docs/results/proof.md"))
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="default: chess, thin and spheres")

@@ -154,7 +154,7 @@ class Builder {
     const double depth = std::max(std::abs(lo_.z), std::abs(hi_.z));
     buffer_.depth_per_unit = depth > 0 ? 1 / depth : 1;
     buffer_.cells.assign(static_cast<size_t>(buffer_.cells_x) * buffer_.cells_y + 1,
-                         {0, kInfinity, kInfinity, 0});
+                         {0, kInfinity, kInfinity, 0, 0});
   }
 
   /// Where each cell's references begin; false if they are too many, as where thousands of triangles each lie
