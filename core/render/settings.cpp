@@ -57,16 +57,11 @@ PixelRect kept_of_rendered(const RenderSettings& s) {
 }
 
 void require_method_takes(Method method, ShadowMode shadows) {
-  const bool on_gpu = method == Method::hybrid || method == Method::raster;
-  const bool takes = shadows == ShadowMode::none || (shadows == ShadowMode::map && on_gpu) ||
-                     ((shadows == ShadowMode::blur || shadows == ShadowMode::exact) && method == Method::hybrid) ||
-                     (shadows == ShadowMode::rays && method != Method::raster);
+  const bool takes = method == Method::hybrid || shadows == ShadowMode::none ||
+                     shadows == (method == Method::raster ? ShadowMode::map : ShadowMode::rays);
   if (!takes)
     throw error(ErrorKind::usage, "--method {} does not take --shadows {}; it takes {}", name_of(method),
-                name_of(shadows),
-                method == Method::hybrid ? "none, map, blur, rays"
-                : method == Method::raster ? "none, map"
-                                           : "none, rays");
+                name_of(shadows), method == Method::raster ? "none, map" : "none, rays");
 }
 
 ShadowMode default_shadows(Method method) {
