@@ -108,14 +108,16 @@ class CellView {
 
   /// Whether the centre of the cell lies in it; nothing where rounding might decide.
   std::optional<bool> centered() const {
+    const dvec2 lo = dvec2(triangle_.lo) - kMargin, hi = dvec2(triangle_.hi) + kMargin;
+    if (center_.x < lo.x || center_.y < lo.y || center_.x > hi.x || center_.y > hi.y) return false;
+    if (!triangle_.has_plane) return std::nullopt;
     bool within = true;
     for (int edge = 0; edge < 3; ++edge) {
       const double rounding = kCellError * triangle_.edges[edge].reach();
       if (distance_[edge] < -rounding) return false;
       within &= distance_[edge] > rounding;
     }
-    if (within && triangle_.has_plane) return true;
-    return std::nullopt;
+    return within ? std::optional(true) : std::nullopt;
   }
 
   /// One of the sides among `sides` (bits) may go through the cell.
