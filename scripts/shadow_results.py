@@ -122,10 +122,10 @@ def main():
     output = args.output or Path("docs/results") / name
     scenes = args.scenes or [f"scene:{name},triangles={args.triangles}" for name in ("chess", "thin", "spheres")]
     lines = [text_before_tables(output)]
-    names = " ".join(Path(scene).name if os.path.exists(scene) else scene for scene in args.scenes)
+    names = "".join(f" {Path(scene).name if os.path.exists(scene) else scene}" for scene in args.scenes)
     if args.options:
         flag += f'--options="{args.options}" '
-    lines += [f"`scripts/shadow_results.py {flag}--lights {args.lights} --triangles {args.triangles} {names}`, "
+    lines += [f"`scripts/shadow_results.py {flag}--lights {args.lights} --triangles {args.triangles}{names}`, "
               f"{platform.processor() or platform.machine()}, {args.threads} threads.", ""]
     with tempfile.TemporaryDirectory() as folder:
         runner = Runner((args.build / "bin/hybridrt").resolve(), folder, args.options.split())

@@ -19,7 +19,7 @@ struct AovSource {
 /// What `aovs` (Aov bits) asks for, over the part `kept` of the view's pixels, 0 where the frame had nothing
 /// to say:
 ///  - id: triangle numbers, kNoTriangle where none is seen
-///  - shadow: the share of the lights that arrive, of those that cast shadows (of all, if none does); 1 or 0 with one
+///  - shadow: the share of the lights that arrive, of those that cast shadows; 1 or 0 with one
 ///  - marked: a MarkReason, that of any light
 ///  - traced: R, G, B, linear
 ///  - depth: distance along the view, in scene units

@@ -47,10 +47,15 @@ size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   return bytes;
 }
 
-/// What pass 4 writes in each slot; or the whole frame of render_on_cpu.
+/// What passes 3 and 4 write in each slot; or the whole frame of render_on_cpu.
 size_t cpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t lit = lights, traced = 16, ids = 4;
-  return rendered_pixels(s) * (uses_gl(s) ? s.frames_in_flight * (lit + traced) : traced + ids + lit);
+  if (!uses_gl(s)) return rendered_pixels(s) * (traced + ids + lit);
+  size_t slot = lit + traced;
+  if (s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays) slot += ids;  // repaired
+  constexpr size_t kUnsettled = sizeof(ShadowQuery) / 4;  // what is left of a pixel's question: of one in four
+  if (s.shadows == ShadowMode::exact) slot += lights * (1 + kUnsettled);
+  return rendered_pixels(s) * s.frames_in_flight * slot;
 }
 
 /// FileSink's: two waiting and one in work a thread, beside the frame at hand. Three floats a pixel, and as many for
@@ -95,7 +100,7 @@ void require_room_for_frames(const RenderSettings& s, size_t light_count, int th
   if (bytes > most_bytes)
     throw error(ErrorKind::usage,
                 "frames of {}x{} pixels need about {} of memory, allowed are {}; render smaller ones (--size, --crop, "
-                "--shadow-map), take fewer --frames-in-flight or --threads, or allow more by --max-memory",
+                "--shadow-map), take fewer --frames-in-flight, --threads or lights, or allow more by --max-memory",
                 s.width_px, s.height_px, size_text(bytes), size_text(most_bytes));
 }
 

@@ -40,6 +40,9 @@ struct Scene {
 
   size_t triangle_count() const { return triangle_positions.size(); }
   bool has_holes() const { return textures && textures->any_holes; }
+  bool has_holes(uint32_t triangle) const {
+    return has_holes() && textures->has_holes(textures->triangle_maps[triangle]);
+  }
   const Material& material_of(uint32_t triangle) const { return materials[triangle_materials[triangle]]; }
   vec3 vertex(uint32_t triangle, int corner) const {
     return positions[triangle_positions[triangle][corner]];

@@ -48,7 +48,7 @@ class Lookup {
     for (uint32_t i = cell->first; i < cell[1].first; ++i)
       surplus += exit_of(query, buffer_.entries[i].triangle);
     for (uint32_t i = cell->first_other; i < cell[1].first_other; ++i)
-      surplus += exit_of(query, buffer_.others[i]);
+      surplus += exit_of(query, buffer_.others[i].triangle);
     return surplus;
   }
 
@@ -67,9 +67,9 @@ class Lookup {
 
   ShadowCertainty certainty(const ShadowQuery& query, const Place& place) const {
     if (!place.cell) return ShadowCertainty::lit;
+    if (place.depth > place.cell->cover) return ShadowCertainty::shadow;
     if (query.anywhere || starts_inside(query)) return ShadowCertainty::inside;
     if (place.depth < place.cell->nearest) return ShadowCertainty::lit;
-    if (place.depth > place.cell->cover) return ShadowCertainty::shadow;
     return place.cell->single && is_open(query) ? ShadowCertainty::lit : ShadowCertainty::unsettled;
   }
 
@@ -86,13 +86,17 @@ class Lookup {
   }
 
   bool is_occluded(const ShadowQuery& query, const Place& place) const {
-    const LightCell* cell = place.cell;
     switch (certainty(query, place)) {
       case ShadowCertainty::lit: return false;
       case ShadowCertainty::shadow: return true;
-      case ShadowCertainty::inside: return any_of_cell(query, cell);
-      case ShadowCertainty::unsettled: break;
+      case ShadowCertainty::inside: return any_other(query, place) || any_entry(query, place);
+      case ShadowCertainty::unsettled: return any_entry(query, place);
     }
+    return false;
+  }
+
+  bool any_entry(const ShadowQuery& query, const Place& place) const {
+    const LightCell* cell = place.cell;
     const auto x = hn::Set(kLanes, place.x), y = hn::Set(kLanes, place.y);
     alignas(16) const float lane_3[4] = {0, 0, 0, place.depth};
     const auto own_depth = hn::Load(kLanes, lane_3);
@@ -128,10 +132,8 @@ class Lookup {
     return query.from_front ? side < 0 : side > 0;
   }
 
-  /// It leaves a triangle that belongs to no closed body, so that the triangle is among the cell's.
-  bool is_open(const ShadowQuery& query) const {
-    return query.triangle != kNoTriangle && buffer_.sides[query.triangle] == 0;
-  }
+  /// It leaves a triangle that belongs to no closed body, and that is among the cell's.
+  bool is_open(const ShadowQuery& query) const { return query.is_precise && buffer_.sides[query.triangle] == 0; }
 
   bool meets(const ShadowQuery& query, uint32_t triangle) const {
     ShearedRay<double> ray = ray_;
@@ -143,13 +145,12 @@ class Lookup {
            hit.t > 0 && !(scene.has_holes() && is_hole(*scene.textures, triangle, hit.u, hit.v));
   }
 
-  bool any_of_cell(const ShadowQuery& query, const LightCell* cell) const {
-    const auto shadows = [&](uint32_t triangle) { return triangle != query.triangle && meets(query, triangle); };
-    // A ray that starts inside a body leaves it by one of the others.
-    for (uint32_t i = cell->first_other; i < cell[1].first_other; ++i)
-      if (shadows(buffer_.others[i])) return true;
-    for (uint32_t i = cell->first; i < cell[1].first; ++i)
-      if (shadows(buffer_.entries[i].triangle)) return true;
+  bool any_other(const ShadowQuery& query, const Place& place) const {
+    for (uint32_t i = place.cell->first_other; i < place.cell[1].first_other; ++i) {
+      const LightOther& other = buffer_.others[i];
+      if (place.depth < other.nearest) return false;
+      if (other.triangle != query.triangle && meets(query, other.triangle)) return true;
+    }
     return false;
   }
 

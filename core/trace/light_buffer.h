@@ -41,9 +41,20 @@ static_assert(sizeof(LightEntry) == 64);
 struct LightCell {
   uint32_t first;        ///< of its entries; they end where the next cell's begin
   float nearest;         ///< of the first entry; infinite where there is none
-  float cover;           ///< what lies deeper is in shadow: a triangle, or a sheet that ends nowhere in it, covers the cell
+  float cover;           ///< what lies deeper is in shadow: a triangle covers the cell, or a sheet without an end in it
   uint32_t first_other : 31;  ///< of its triangles in `others`
   uint32_t single : 1;        ///< what lies over the cell as far as `cover` is one sheet that covers it once
+};
+
+/// A triangle over a cell that only queries from inside something can meet first: it faces the light, or lies deeper
+/// than the cell's cover.
+struct LightOther {
+  float nearest;  ///< a lower bound of its depth over the cell; ascends in a cell
+  uint32_t triangle;
+  bool operator==(const LightOther&) const = default;
+  bool operator<(const LightOther& other) const {
+    return nearest != other.nearest ? nearest < other.nearest : triangle < other.triangle;
+  }
 };
 
 /// What a light sees of a scene; only data, see build_light_buffer. Refers to scene and sheets, which must
@@ -62,8 +73,7 @@ struct LightBuffer {
 
   std::vector<LightCell> cells;  ///< rows of cells_x, and one more that ends the last
   UninitializedVector<LightEntry> entries;
-  UninitializedVector<uint32_t>
-      others;  ///< over each cell: those that face the light, and those deeper than its cover
+  UninitializedVector<LightOther> others;
 };
 
 /// `toward` unit. The same buffer for any number of threads.
@@ -75,22 +85,23 @@ LightBuffer build_light_buffer(const Scene& scene, const Sheets& sheets, const d
 struct ShadowQuery {
   dvec3 origin{0};
   uint32_t triangle = kNoTriangle;
-  bool from_front = true;  ///< it leaves by the triangle's counterclockwise side
-  bool anywhere = false;   ///< the origin may lie inside a closed body other than the triangle's own
+  bool from_front = true;   ///< it leaves by the triangle's counterclockwise side
+  bool anywhere = false;    ///< the origin may lie inside a closed body other than the triangle's own
+  bool is_precise = false;  ///< the origin is a point of the triangle but for the rounding of double precision
 };
 
 /// 1 where something lies between the origin and the light, else 0. The answer is that of a ray traced in
 /// double precision against every triangle (intersect_triangle, is_hole) but its own, not nearly so: what single
-/// precision cannot decide is decided by that same test, and so is every triangle with holes. Only for an origin that lies inside a closed body without
-/// saying so (`anywhere`), as where a pixel's triangle is hidden after all, is that body's lit half not asked.
-/// Thread-safe.
+/// precision cannot decide is decided by that same test, and so is every triangle with holes. Only for an origin
+/// that lies inside a closed body without saying so (`anywhere`), as where a pixel's triangle is hidden after all,
+/// is that body's lit half not asked. Thread-safe.
 void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries,
                     std::span<uint8_t> occluded);
 
 /// What a query's cell alone says about its answer, without a look at the triangles in it.
 enum class ShadowCertainty : uint8_t {
-  lit,        ///< nothing over the cell is nearer to the light
-  shadow,     ///< one triangle nearer to the light covers the whole cell
+  lit,        ///< nothing over the cell is nearer to the light, or but the one sheet that the query leaves
+  shadow,     ///< a triangle nearer to the light covers the whole cell, or a sheet of them
   unsettled,  ///< ask
   inside,     ///< ask: the query may start inside a closed body
 };

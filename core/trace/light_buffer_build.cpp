@@ -97,14 +97,11 @@ class Builder {
     unsigned ends = 0;
     for (int k = 0; k < 3; ++k) {
       const uint32_t next = sheets_.across[triangle][k];
-      const bool goes_on = next != kNoTriangle && facings_[next] == facings_[triangle] && facings_[next] != Facing::unsure;
+      const bool goes_on =
+          next != kNoTriangle && facings_[next] == facings_[triangle] && facings_[next] != Facing::unsure;
       ends |= static_cast<unsigned>(!goes_on) << k;
     }
     return ends;
-  }
-
-  bool has_holes(uint32_t triangle) const {
-    return scene_.has_holes() && scene_.textures->has_holes(scene_.textures->triangle_maps[triangle]);
   }
 
   void transform_positions() {
@@ -196,17 +193,17 @@ class Builder {
     for_each_chunk([&](size_t begin, size_t end) {
       for_each_triangle(begin, end, [&](uint32_t triangle, const GridTriangle& shape) {
         const bool is_other = !makes_entries(triangle);
-        const bool holes = has_holes(triangle);
+        const bool holes = scene_.has_holes(triangle);
         const unsigned ends = ends_of_sheet(triangle);
         for_each_cell(shape, buffer_.cells_x, buffer_.cells_y, [&](int x, int y) {
           const size_t cell = index_of(x, y);
           const uint32_t place =
               std::atomic_ref((is_other ? next_other : next)[cell]).fetch_add(1, std::memory_order_relaxed);
+          const CellView view(shape, x, y);
           if (is_other) {
-            others_[place] = triangle;
+            others_[place] = {view.nearest(), triangle};
             return;
           }
-          const CellView view(shape, x, y);
           const std::optional<bool> centered = view.centered();
           references_[place] = {view.nearest(), view.farthest(), triangle, view.surely_touched(),
                                 holes || view.crossed_by_sides(ends), centered.value_or(false), !centered};
@@ -267,14 +264,14 @@ class Builder {
       const SheetCover sheet = cover_by_sheets({first, last});
       buffer_.cells[cell].single = sheet.single;
       buffer_.cells[cell].cover = std::min(buffer_.cells[cell].cover, sheet.farthest);
-      std::sort(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1]);
       const Reference at_cover{buffer_.cells[cell].cover, 0, kLastTriangle, 0, 0, 0, 0};
       first_entry[cell] = static_cast<uint32_t>(std::upper_bound(first, last, at_cover) - first);
       first_other[cell] = first_other_[cell + 1] - first_other_[cell] + static_cast<uint32_t>(last - first) -
                           first_entry[cell];
     });
-    const uint32_t entries = begin_each(first_entry);
-    buffer_.others.resize(begin_each(first_other));
+    const uint32_t entries = begin_each(first_entry), others = begin_each(first_other);
+    HRT_CHECK(others < 1u << 31);
+    buffer_.others.resize(others);
     buffer_.entries.resize(entries);
     for_each_cell_of_grid([&](size_t cell) {
       buffer_.cells[cell].first = first_entry[cell];
@@ -286,11 +283,13 @@ class Builder {
       for (uint32_t entry = first_entry[cell]; entry < first_entry[cell + 1]; ++entry, ++reference) {
         const GridTriangle triangle = grid_triangle(reference->triangle);
         buffer_.entries[entry] = CellView(triangle, x, y).entry(reference->triangle);
-        if (has_holes(reference->triangle)) buffer_.entries[entry].depth_error = kUndecided;
+        if (scene_.has_holes(reference->triangle)) buffer_.entries[entry].depth_error = kUndecided;
       }
-      auto other = std::copy(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1],
-                             buffer_.others.begin() + first_other[cell]);
-      for (; reference != references_.begin() + first_[cell + 1]; ++reference) *other++ = reference->triangle;
+      const auto others = buffer_.others.begin() + first_other[cell];
+      auto other = std::copy(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1], others);
+      for (; reference != references_.begin() + first_[cell + 1]; ++reference)
+        *other++ = {reference->nearest, reference->triangle};
+      std::sort(others, other);
     });
     buffer_.cells.back().first = entries;
     buffer_.cells.back().first_other = static_cast<uint32_t>(buffer_.others.size());
@@ -304,7 +303,7 @@ class Builder {
   std::vector<Facing> facings_;
   std::vector<uint32_t> first_, first_other_;  ///< of each cell, in the arrays below
   UninitializedVector<Reference> references_;
-  UninitializedVector<uint32_t> others_;
+  UninitializedVector<LightOther> others_;
   dvec3 lo_{1e300}, hi_{-1e300};  ///< light space
   size_t kept_ = 0;
 };
@@ -328,7 +327,7 @@ LightBuffer build_light_buffer(const Scene& scene, const Sheets& sheets, const d
 
 size_t memory_bytes(const LightBuffer& buffer) {
   return buffer.cells.size() * sizeof(LightCell) +
-         buffer.entries.size() * sizeof(LightEntry) + buffer.others.size() * sizeof(uint32_t);
+         buffer.entries.size() * sizeof(LightEntry) + buffer.others.size() * sizeof(LightOther);
 }
 
 }  // namespace hybridrt

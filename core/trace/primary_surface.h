@@ -37,6 +37,7 @@ void for_each_facing_light(const Scene& scene, uint32_t triangle, const dvec3& e
       const dvec3 reach = glm::max(glm::abs(point), glm::max(glm::abs(e1), glm::abs(e2)));
       const double offset = kRelativeOffset<double> * std::max({reach.x, reach.y, reach.z});
       query = {point + offset / glm::length(normal) * side, triangle, from_front};
+      query.is_precise = true;
     }
     ask(l, query);
   }

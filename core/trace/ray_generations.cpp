@@ -52,7 +52,6 @@ RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>*
   for (const TracedLight& traced : job.lights) {
     to_light_.emplace_back(traced.light.toward);
     light_color_.emplace_back(traced.light.color);
-    if (traced.buffer) sides_ = traced.buffer->sides;
   }
 }
 
@@ -83,24 +82,16 @@ void RayGenerations<Real>::set_solid_angle(uint32_t pixel, Real solid_angle) {
 }
 
 template <typename Real>
-void RayGenerations<Real>::add_scattered(uint32_t pixel, uint32_t triangle, const Surface<Real>& surface,
-                                         const Vec3<Real>& reflect, const Vec3<Real>& dir, Real distance,
-                                         Real solid_angle, TraceStats& stats) {
+void RayGenerations<Real>::add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& reflect,
+                                         const Vec3<Real>& dir, Real distance, Real solid_angle, TraceStats& stats) {
   if (job_.scene.textures) set_solid_angle(pixel, solid_angle);
-  scatter_on({Vec3<Real>(1), pixel, 0}, triangle, surface, reflect, dir, distance, stats);
-}
-
-/// 1 for the outer side of a closed body, -1 for the inner one, 0 where there is no inside or nobody has asked.
-template <typename Real>
-int RayGenerations<Real>::body_side(uint32_t triangle, const Surface<Real>& surface) const {
-  const int side = sides_.empty() ? 0 : sides_[triangle];
-  return surface.from_outside ? side : -side;
+  scatter_on({Vec3<Real>(1), pixel, 0}, surface, reflect, dir, distance, stats);
 }
 
 /// `path`: from the eye to the surface.
 template <typename Real>
-void RayGenerations<Real>::scatter_on(const Tag& from, uint32_t triangle, const Surface<Real>& surface,
-                                      const Vec3<Real>& reflect, const Vec3<Real>& dir, Real path, TraceStats& stats) {
+void RayGenerations<Real>::scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& reflect,
+                                      const Vec3<Real>& dir, Real path, TraceStats& stats) {
   const Material& material = job_.scene.materials[surface.material];
   if (from.generation == 0) {
     stats.pixels_reflective += material.reflective();
@@ -111,12 +102,11 @@ void RayGenerations<Real>::scatter_on(const Tag& from, uint32_t triangle, const 
   const Scattered<Real> out = scatter(material, reflect, surface, dir);
   const Vec3<Real> reflected = from.weight * out.reflected_weight, refracted = from.weight * out.refracted_weight;
   if (largest_part(reflected) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.reflected_dir), {reflected, from.pixel, from.generation + 1, from.bodies, path});
+    push(leave(surface, out.reflected_dir), {reflected, from.pixel, from.generation + 1, from.refracted, path});
     ++stats.reflection_rays;
   }
   if (largest_part(refracted) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.refracted_dir, /*toward=*/false),
-         {refracted, from.pixel, from.generation + 1, from.bodies + body_side(triangle, surface), path});
+    push(leave(surface, out.refracted_dir, /*toward=*/false), {refracted, from.pixel, from.generation + 1, true, path});
     ++stats.refraction_rays;
   }
 }
@@ -130,8 +120,7 @@ void RayGenerations<Real>::take_batch() {
   tags_.resize(first);
 }
 
-/// Asks every light that the hit's side faces; those without shadows arrive unasked. None reaches the inner side of a
-/// closed body: whatever the body is made of, it casts a full shadow.
+/// Asks every light that the hit's side faces; those without shadows arrive unasked.
 template <typename Real>
 void RayGenerations<Real>::queue_shadow_rays(size_t i) {
   const Tag& tag = batch_tags_[i];
@@ -140,7 +129,7 @@ void RayGenerations<Real>::queue_shadow_rays(size_t i) {
     lit_[i] |= 1u << l;
     shadow_queues_[l].owners.push_back(i);
     shadow_queues_[l].queries.push_back(query);
-    shadow_queues_[l].queries.back().anywhere = job_.eye_enclosed || tag.bodies != 0;
+    shadow_queues_[l].queries.back().anywhere = job_.eye_enclosed || tag.refracted;
   };
   const bool as_seen = asks_buffers_ && tag.generation == 0;
   if (as_seen)
@@ -152,8 +141,7 @@ void RayGenerations<Real>::queue_shadow_rays(size_t i) {
     const bool asks = job_.casts_shadow(l);
     if ((as_seen && asks) || glm::dot(surface.side, to_light_[l]) <= 0) continue;  // the unlit side needs no ray
     if (asks && asks_buffers_) {
-      if (body_side(hits_[i].triangle, surface) >= 0)
-        ask_buffer(l, {dvec3(leave(surface, to_light_[l]).origin), hits_[i].triangle, surface.from_outside});
+      ask_buffer(l, {dvec3(leave(surface, to_light_[l]).origin), hits_[i].triangle, surface.from_outside});
       continue;
     }
     lit_[i] |= 1u << l;
@@ -234,7 +222,7 @@ void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHi
       const Surface<Real>& surface = surfaces_[i];
       const SurfaceColors<Real> paint = colors_of(i);
       colors[tag.pixel] += tag.weight * color_of(i, paint);
-      scatter_on(tag, hits_[i].triangle, surface, paint.reflect, batch_rays_[i].dir, tag.path + hits_[i].t, stats);
+      scatter_on(tag, surface, paint.reflect, batch_rays_[i].dir, tag.path + hits_[i].t, stats);
     }
     if (!primary) stats.secondary_cpu_ms += thread_cpu_ms() - started_ms;
   }

@@ -25,7 +25,7 @@ class RayGenerations {
   /// `caster` may be null if no ray is ever added.
   RayGenerations(const TraceJob& job, const RayCaster<Real>* caster);
 
-  /// What a step found out about the primary generation; see shade_primary_hits.
+  /// What a step found out about the primary generation; see trace_frame.
   struct PrimaryHit {
     uint32_t triangle = kNoTriangle;
     uint8_t lit = 0;  ///< bit i: light i arrives
@@ -34,10 +34,10 @@ class RayGenerations {
   /// Queues the ray through the centre of a pixel; `pixel` is its place in the tile.
   void add_primary(uint32_t pixel, int x, int y);
 
-  /// Queues what a primary surface, a point of `triangle`, sends on. `reflect`: its Material::reflect, with its textures. `dir` unit; `distance`
+  /// Queues what a primary surface sends on. `reflect`: its Material::reflect, with its textures. `dir` unit; `distance`
   /// from the eye and `solid_angle` of the pixel count only in scenes with textures.
-  void add_scattered(uint32_t pixel, uint32_t triangle, const Surface<Real>& surface, const Vec3<Real>& reflect,
-                     const Vec3<Real>& dir, Real distance, Real solid_angle, TraceStats& stats);
+  void add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& reflect, const Vec3<Real>& dir,
+                     Real distance, Real solid_angle, TraceStats& stats);
 
   /// Runs until the queue is empty. Adds light to `colors` (one a pixel of the tile). `primary_hits` is
   /// filled for primary rays; it may be empty when none were added.
@@ -47,20 +47,19 @@ class RayGenerations {
   struct Tag {
     Vec3<Real> weight;
     uint32_t pixel;
-    int generation;  ///< 0: primary
-    int bodies = 0;  ///< closed ones that it has entered, less those that it has left again
-    Real path = 0;   ///< from the eye to its origin
+    int generation;          ///< 0: primary
+    bool refracted = false;  ///< it may travel inside a closed body
+    Real path = 0;           ///< from the eye to its origin
   };
 
   void set_solid_angle(uint32_t pixel, Real solid_angle);
   void take_batch();
   void queue_shadow_rays(size_t in_batch);
   void ask_shadow_rays(TraceStats& stats);
-  int body_side(uint32_t triangle, const Surface<Real>& surface) const;
   Vec3<Real> color_of(size_t in_batch, const SurfaceColors<Real>& paint) const;
   SurfaceColors<Real> colors_of(size_t in_batch) const;
-  void scatter_on(const Tag& from, uint32_t triangle, const Surface<Real>& surface, const Vec3<Real>& reflect,
-                  const Vec3<Real>& dir, Real path, TraceStats& stats);
+  void scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& reflect, const Vec3<Real>& dir,
+                  Real path, TraceStats& stats);
   void push(const Ray<Real>& ray, const Tag& tag);
 
   const TraceJob& job_;
@@ -68,7 +67,6 @@ class RayGenerations {
   const Vec3<Real> ambient_, background_;
   std::vector<Vec3<Real>> to_light_, light_color_;  ///< of each light
   const bool asks_buffers_;
-  std::span<const int8_t> sides_;  ///< Sheets::sides; empty where no light has a buffer
 
   std::vector<Ray<Real>> rays_;  ///< the queue, newest last
   std::vector<Tag> tags_;

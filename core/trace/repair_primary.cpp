@@ -141,7 +141,7 @@ class Suspicion {
 /// Whether the triangle has a hole where the pixel's exact ray meets it: the raster rounds otherwise.
 bool shows_hole(const Scene& scene, const dvec3& eye, const SeenPixel& pixel) {
   const uint32_t id = pixel.triangle.id;
-  if (!scene.has_holes() || id == kNoTriangle || !scene.textures->has_holes(scene.textures->triangle_maps[id])) return false;
+  if (id == kNoTriangle || !scene.has_holes(id)) return false;
   const dvec3 weights = seen_barycentrics(scene, id, eye, pixel.dir);
   return is_hole(*scene.textures, id, weights.y, weights.z);
 }

@@ -21,22 +21,19 @@ uint8_t mask_of(ShadowCertainty certainty) {
   return HRT_MASK_MARKED;
 }
 
-/// Takes what its cell of the light buffer settles out of a chunk. `mask` and `lit`: the light's.
-void settle_chunk(const LightBuffer& buffer, UnsettledShadows::Chunk& chunk, std::span<uint8_t> mask,
-                  std::span<uint8_t> lit) {
-  auto& [queries, pixels] = chunk;
-  std::vector<ShadowCertainty> certainties(queries.size());
-  certify(buffer, queries, certainties);
-  size_t kept = 0;
-  for (size_t i = 0; i < pixels.size(); ++i) {
-    mask[pixels[i]] = mask_of(certainties[i]);
-    lit[pixels[i]] = mask[pixels[i]] & HRT_MASK_LIT;
-    if (!(mask[pixels[i]] & HRT_MASK_MARKED)) continue;
-    queries[kept] = queries[i];
-    pixels[kept++] = pixels[i];
+/// Keeps of what a chunk asks a light only what the light buffer's cells do not settle. `mask` and `lit`: the light's.
+void settle_chunk(const LightBuffer& buffer, const UnsettledShadows::Chunk& asked, std::span<uint8_t> mask,
+                  std::span<uint8_t> lit, UnsettledShadows::Chunk& unsettled) {
+  std::vector<ShadowCertainty> certainties(asked.queries.size());
+  certify(buffer, asked.queries, certainties);
+  for (size_t i = 0; i < asked.pixels.size(); ++i) {
+    const uint32_t pixel = asked.pixels[i];
+    mask[pixel] = mask_of(certainties[i]);
+    lit[pixel] = mask[pixel] & HRT_MASK_LIT;
+    if (!(mask[pixel] & HRT_MASK_MARKED)) continue;
+    unsettled.queries.push_back(asked.queries[i]);
+    unsettled.pixels.push_back(pixel);
   }
-  queries.resize(kept);
-  pixels.resize(kept);
 }
 
 }  // namespace
@@ -50,9 +47,8 @@ void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint3
   const size_t chunks = (pixel_count + chunk_pixels - 1) / chunk_pixels;
   unsettled.chunks.resize(lights * chunks);
   parallel_for(pool, pixel_count, chunk_pixels, [&](size_t begin, size_t end) {
-    const auto chunk_of = [&](size_t l) -> auto& { return unsettled.chunks[l * chunks + begin / chunk_pixels]; };
+    std::vector<UnsettledShadows::Chunk> asked(lights);
     for (size_t l = 0; l < lights; ++l) {
-      chunk_of(l).queries.clear(), chunk_of(l).pixels.clear();
       for (size_t i = begin; i < end; ++i) {
         mask[l * pixel_count + i] = ids[i] == kNoTriangle ? HRT_MASK_NO_RECEIVER : 0;
         lit[l * pixel_count + i] = 0;
@@ -65,15 +61,18 @@ void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint3
       const dvec3 dir = glm::normalize(job.view.pixel_dir(x, y));
       for_each_facing_light(job.scene, ids[i], job.view.eye, dir, job.lights, [&](size_t l, const ShadowQuery& query) {
         if (!job.casts_shadow(l)) return;
-        chunk_of(l).queries.push_back(query);
-        chunk_of(l).queries.back().anywhere = job.eye_enclosed;
-        chunk_of(l).pixels.push_back(static_cast<uint32_t>(i));
+        asked[l].queries.push_back(query);
+        asked[l].queries.back().anywhere = job.eye_enclosed;
+        asked[l].pixels.push_back(static_cast<uint32_t>(i));
       });
     });
-    for (size_t l = 0; l < lights; ++l)
+    for (size_t l = 0; l < lights; ++l) {
+      UnsettledShadows::Chunk& chunk = unsettled.chunks[l * chunks + begin / chunk_pixels];
+      chunk.queries.clear(), chunk.pixels.clear();
       if (job.casts_shadow(l))
-        settle_chunk(*job.lights[l].buffer, chunk_of(l), mask.subspan(l * pixel_count, pixel_count),
-                     lit.subspan(l * pixel_count, pixel_count));
+        settle_chunk(*job.lights[l].buffer, asked[l], mask.subspan(l * pixel_count, pixel_count),
+                     lit.subspan(l * pixel_count, pixel_count), chunk);
+    }
   });
 }
 

@@ -15,9 +15,8 @@ struct UnsettledShadows {
 };
 
 /// Pass 3 of `--shadows exact`, where the paper's pass 3 guesses: pixels whose shadow answer is certain get it, and
-/// only the others are marked for pass 4. The proof comes from the light buffer's cells: nothing in the pixel's cell
-/// is nearer to the light (lit), or one triangle nearer to the light covers the whole cell (shadow). What may start
-/// inside a closed body is marked.
+/// only the others are marked for pass 4. The proof comes from the light buffer's cells: see
+/// ShadowCertainty. What may start inside a closed body is marked.
 /// `ids`: one element a pixel, rows from the top; `mask` and `lit`: as many a light, light after light. Written: `mask`
 /// (bits of shaders/shared.h), `lit` (HRT_MASK_LIT or 0; 0 where unsettled), `unsettled`. Lights that cast shadows must
 /// have their buffers; what is written for the others means nothing.

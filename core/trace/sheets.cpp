@@ -5,15 +5,11 @@ namespace {
 
 constexpr size_t kGrain = 1 << 14;
 
-bool has_holes(const Scene& scene, uint32_t triangle) {
-  return scene.has_holes() && scene.textures->has_holes(scene.textures->triangle_maps[triangle]);
-}
-
 std::vector<int8_t> sides_of(const Scene& scene, const Topology& topology) {
   std::vector<bool> open(topology.components.size());
   for (size_t i = 0; i < open.size(); ++i) open[i] = !topology.components[i].closed();
   for (uint32_t i = 0; i < scene.triangle_count(); ++i)
-    if (has_holes(scene, i)) open[topology.component_of_triangle[i]] = true;
+    if (scene.has_holes(i)) open[topology.component_of_triangle[i]] = true;
 
   std::vector<int8_t> sides(topology.component_of_triangle.size());
   for (size_t i = 0; i < sides.size(); ++i) {
@@ -32,7 +28,7 @@ Sheets make_sheets(const Scene& scene, const Topology& topology, ThreadPool& poo
     for (size_t edge = begin; edge < end; ++edge) {
       if (topology.kind_of(edge) != EdgeKind::regular) continue;
       const std::span<const EdgeUse> uses = topology.uses_of(edge);
-      if (has_holes(scene, uses[0].triangle) || has_holes(scene, uses[1].triangle)) continue;
+      if (scene.has_holes(uses[0].triangle) || scene.has_holes(uses[1].triangle)) continue;
       // Welding compares positions, so that comparing them again finds the edge's corners.
       const vec3 ends[2] = {scene.positions[topology.edges[edge].a], scene.positions[topology.edges[edge].b]};
       for (int i = 0; i < 2; ++i)

@@ -112,7 +112,7 @@ class TileTrace {
                                   vec3(dir), solid_angle, distance)
                       .reflect;
     }
-    generations_.add_scattered(in_tile, triangle, surface, reflect, vec3(dir), distance, solid_angle, stats);
+    generations_.add_scattered(in_tile, surface, reflect, vec3(dir), distance, solid_angle, stats);
   }
 
   void ask_lights(unsigned asked, size_t index, uint32_t triangle, const dvec3& dir) {

@@ -48,7 +48,7 @@ class LightBufferTest : public testing::TestWithParam<NamedScene> {
       const dvec3 size = glm::max(glm::abs(point), glm::max(glm::abs(b - a), glm::abs(c - a)));
       if (glm::dot(side, toward) <= 0) continue;
       queries.push_back({point + kRelativeOffset<double> * std::max({size.x, size.y, size.z}) * side,
-                         triangle, from_front});
+                         triangle, from_front, /*anywhere=*/false, /*is_precise=*/true});
     }
     return queries;
   }

@@ -86,6 +86,10 @@ std::vector<Case> cases() {
   for (int i = 0; i < 9; ++i)  // apart, so that no point of one lies inside another
     add_body(transformed(closed_sphere(90, 45), random.between(0.1f, 0.17f), vec3(i % 3, 1, i / 3) * 0.35f));
   add("ClosedBalls", bodies, 0.8);
+  add("BallsWoundInward", edited(bodies, 7, [](Random&, uvec3& triangle, Kept&) {
+        std::swap(triangle.x, triangle.y);
+        return true;
+      }), 0.8);
   add_body(ground(100, 0.02f));
   add("BallsAboveGround", bodies, 0.8);
   add("BallsAndGroundWithCracks", edited(bodies, 5, [](Random& r, uvec3&, Kept&) { return r.below(200) != 0; }), 0.4);
@@ -116,7 +120,7 @@ std::vector<ShadowQuery> surface_queries(const Scene& scene, const dvec3& toward
     const bool from_front = glm::dot(side, toward) > 0;
     if (!from_front) side = -side;
     if (glm::dot(side, toward) > 0)
-      queries.push_back({a + u * e1 + v * e2 + kRelativeOffset<double> * 2 * side, triangle, from_front});
+      queries.push_back({a + u * e1 + v * e2 + kRelativeOffset<double> * 2 * side, triangle, from_front, false, true});
   }
   return queries;
 }
