@@ -285,11 +285,11 @@ class Builder {
         buffer_.entries[entry] = CellView(triangle, x, y).entry(reference->triangle);
         if (scene_.has_holes(reference->triangle)) buffer_.entries[entry].depth_error = kUndecided;
       }
-      const auto others = buffer_.others.begin() + first_other[cell];
-      auto other = std::copy(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1], others);
+      const auto begin = buffer_.others.begin() + first_other[cell];
+      auto other = std::copy(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1], begin);
       for (; reference != references_.begin() + first_[cell + 1]; ++reference)
         *other++ = {reference->nearest, reference->triangle};
-      std::sort(others, other);
+      std::sort(begin, other);
     });
     buffer_.cells.back().first = entries;
     buffer_.cells.back().first_other = static_cast<uint32_t>(buffer_.others.size());
