@@ -201,7 +201,7 @@ void GlRenderer::trace(FrameSlot& slot) {
   if (slot.plan.settle) {
     const Stopwatch settling;
     settle_shadows(job, pool_, slot.read_ids(), slot.settled_mask, slot.lit_pixels, slot.unsettled);
-    mark_repaired(slot);
+    if (settings_.aovs & kAovMarked) mark_repaired(slot);
     slot.settle_ms = settling.elapsed_ms();
   }
   TracePixels pixels{slot.read_ids(), slot.read_mask(), {}, {}};

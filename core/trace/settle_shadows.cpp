@@ -21,11 +21,14 @@ uint8_t mask_of(ShadowCertainty certainty) {
   return HRT_MASK_MARKED;
 }
 
-/// Keeps of what a chunk asks a light only what the light buffer's cells do not settle. `mask` and `lit`: the light's.
-void settle_chunk(const LightBuffer& buffer, const UnsettledShadows::Chunk& asked, std::span<uint8_t> mask,
+/// Questions to one light that wait for each other.
+constexpr size_t kBatch = 256;
+
+/// Keeps of a batch only what the light buffer's cells do not settle, and empties it. `mask` and `lit`: the light's.
+void settle_batch(const LightBuffer& buffer, UnsettledShadows::Chunk& asked, std::span<uint8_t> mask,
                   std::span<uint8_t> lit, UnsettledShadows::Chunk& unsettled) {
-  std::vector<ShadowCertainty> certainties(asked.queries.size());
-  certify(buffer, asked.queries, certainties);
+  ShadowCertainty certainties[kBatch];
+  certify(buffer, asked.queries, {certainties, asked.queries.size()});
   for (size_t i = 0; i < asked.pixels.size(); ++i) {
     const uint32_t pixel = asked.pixels[i];
     mask[pixel] = mask_of(certainties[i]);
@@ -34,6 +37,7 @@ void settle_chunk(const LightBuffer& buffer, const UnsettledShadows::Chunk& aske
     unsettled.queries.push_back(asked.queries[i]);
     unsettled.pixels.push_back(pixel);
   }
+  asked.queries.clear(), asked.pixels.clear();
 }
 
 }  // namespace
@@ -48,7 +52,13 @@ void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint3
   unsettled.chunks.resize(lights * chunks);
   parallel_for(pool, pixel_count, chunk_pixels, [&](size_t begin, size_t end) {
     std::vector<UnsettledShadows::Chunk> asked(lights);
+    const auto settle = [&](size_t l) {
+      settle_batch(*job.lights[l].buffer, asked[l], mask.subspan(l * pixel_count, pixel_count),
+                   lit.subspan(l * pixel_count, pixel_count), unsettled.chunks[l * chunks + begin / chunk_pixels]);
+    };
     for (size_t l = 0; l < lights; ++l) {
+      UnsettledShadows::Chunk& chunk = unsettled.chunks[l * chunks + begin / chunk_pixels];
+      chunk.queries.clear(), chunk.pixels.clear();
       for (size_t i = begin; i < end; ++i) {
         mask[l * pixel_count + i] = ids[i] == kNoTriangle ? HRT_MASK_NO_RECEIVER : 0;
         lit[l * pixel_count + i] = 0;
@@ -64,15 +74,11 @@ void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint3
         asked[l].queries.push_back(query);
         asked[l].queries.back().anywhere = job.eye_enclosed;
         asked[l].pixels.push_back(static_cast<uint32_t>(i));
+        if (asked[l].pixels.size() == kBatch) settle(l);
       });
     });
-    for (size_t l = 0; l < lights; ++l) {
-      UnsettledShadows::Chunk& chunk = unsettled.chunks[l * chunks + begin / chunk_pixels];
-      chunk.queries.clear(), chunk.pixels.clear();
-      if (job.casts_shadow(l))
-        settle_chunk(*job.lights[l].buffer, asked[l], mask.subspan(l * pixel_count, pixel_count),
-                     lit.subspan(l * pixel_count, pixel_count), chunk);
-    }
+    for (size_t l = 0; l < lights; ++l)
+      if (job.casts_shadow(l)) settle(l);
   });
 }
 
