@@ -13,9 +13,9 @@
 #include <random>
 #include <string_view>
 
+#include "core/trace/brute_force.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/primary_surface.h"
-#include "core/trace/triangle.h"
 #include "ray_sets.h"
 
 namespace hybridrt {
@@ -161,7 +161,7 @@ class Proof {
       tally.shadowed += truth[i];
       tally.asked += certainties[i] == ShadowCertainty::unsettled || certainties[i] == ShadowCertainty::inside;
       if (truth[i] == occluded[i]) continue;
-      const uint32_t in_the_way = truth[i] ? other_in_the_way(queries[i], buffer.toward) : kNoTriangle;
+      const uint32_t in_the_way = truth[i] ? brute_force_occluder(scene_, buffer.toward, queries[i]) : kNoTriangle;
       if (truth[i] && in_the_way == kNoTriangle) {
         ++tally.own;
         continue;
@@ -170,18 +170,6 @@ class Proof {
       tell(buffer, queries[i], in_the_way);
     }
     return tally;
-  }
-
-  /// Any triangle but the query's own, by asking all.
-  uint32_t other_in_the_way(const ShadowQuery& query, const dvec3& toward) const {
-    const ShearedRay<double> ray = shear_ray(query.origin, toward);
-    for (uint32_t i = 0; i < scene_.triangle_count(); ++i) {
-      const vec3 a = scene_.vertex(i, 0), b = scene_.vertex(i, 1), c = scene_.vertex(i, 2);
-      TriangleHit<double> hit;
-      if (i != query.triangle && !is_degenerate(a, b, c) && intersect_triangle(ray, a, b, c, hit) && hit.t > 0)
-        return i;
-    }
-    return kNoTriangle;
   }
 
   /// Enough to ask again.

@@ -1,4 +1,5 @@
-// shaders/surface.glsl and shadow_warp.glsl on the GPU and as C++ must mean the same: thousands of random inputs through both.
+// shaders/surface.glsl and shadow_warp.glsl on the GPU and as C++ must mean the same: thousands of random inputs through
+// both.
 
 #include <algorithm>
 #include <random>
@@ -6,17 +7,7 @@
 #include "core/gl/program.h"
 #include "core/trace/surface.h"
 #include "gl_test.h"
-
-namespace hybridrt::shadow_warp {
-namespace {
-using namespace glm;
-using Real = float;
-using Vec2 = glm::vec2;
-#define HRT_FN inline
-#include "shaders/shadow_warp.glsl"
-#undef HRT_FN
-}  // namespace
-}  // namespace hybridrt::shadow_warp
+#include "shadow_warp.h"
 
 namespace hybridrt {
 namespace {
@@ -203,15 +194,15 @@ TEST_F(GlslAgainstCpp, ShadowWarp) {
       inputs, 2);
   for (int i = 0; i < kCases; ++i) {
     const vec4 a = inputs[2 * i], b = inputs[2 * i + 1];
-    const float w = shadow_warp::map_w(a.x, a.y);
-    const vec2 texel = shadow_warp::texel_size(a.z, a.w, w);
+    const float w = shadow_warp_single::map_w(a.x, a.y);
+    const vec2 texel = shadow_warp_single::texel_size(a.z, a.w, w);
     // 1 + slope * row cancels: what a rounding of it is worth in w, and in its square.
     const float relative = 0x1p-22f * w;
     EXPECT_NEAR(results[i].x, w, relative * w) << i;
     EXPECT_NEAR(results[i].y, texel.x, 2 * relative * texel.x) << i;
     EXPECT_NEAR(results[i].z, texel.y, 3 * relative * texel.y) << i;
     const float most = std::abs(b.x) * texel.x + (std::abs(b.y) + std::abs(b.w * b.x)) * texel.y;
-    EXPECT_NEAR(results[i].w, shadow_warp::depth_over_texel(vec2(b), texel, b.w), 4 * relative * most) << i;
+    EXPECT_NEAR(results[i].w, shadow_warp_single::depth_over_texel(vec2(b), texel, b.w), 4 * relative * most) << i;
   }
 }
 

@@ -80,15 +80,7 @@ class LightBufferTest : public testing::TestWithParam<NamedScene> {
   /// Every triangle is asked, but for the query's own: a plane does not shadow itself. (In a sliver a million
   /// times as long as wide even double precision would find it in its own way.)
   static bool truth(const Scene& scene, const dvec3& toward, const ShadowQuery& query) {
-    const ShearedRay<double> ray = shear_ray(query.origin, toward);
-    for (uint32_t triangle = 0; triangle < scene.triangle_count(); ++triangle) {
-      const vec3 a = scene.vertex(triangle, 0), b = scene.vertex(triangle, 1), c = scene.vertex(triangle, 2);
-      TriangleHit<double> hit;
-      if (triangle != query.triangle && !is_degenerate(a, b, c) && intersect_triangle(ray, a, b, c, hit) &&
-          hit.t > 0)
-        return true;
-    }
-    return false;
+    return brute_force_occluder(scene, toward, query) != kNoTriangle;
   }
 
   ThreadPool pool_{2};

@@ -5,19 +5,8 @@
 #include <algorithm>
 
 #include "core/passes/receiver_depths.h"
+#include "shadow_warp.h"
 #include "trace_scenes.h"
-
-// shaders/shadow_warp.glsl compiled as C++.
-namespace hybridrt::shadow_warp {
-namespace {
-using namespace glm;
-using Real = double;
-using Vec2 = glm::dvec2;
-#define HRT_FN inline
-#include "shaders/shadow_warp.glsl"
-#undef HRT_FN
-}  // namespace
-}  // namespace hybridrt::shadow_warp
 
 namespace hybridrt {
 namespace {
@@ -53,7 +42,7 @@ dvec4 in_map(const ShadowMapFit& fit, const dvec3& point) { return fit.map_from_
 
 /// The scene's point at a place of the map.
 dvec3 scene_point(const ShadowMapFit& fit, const dvec2& uv, double z) {
-  const double w = shadow_warp::map_w(uv.y, fit.inverse_w_slope);
+  const double w = shadow_warp_double::map_w(uv.y, fit.inverse_w_slope);
   return fit.origin + dvec3(glm::inverse(fit.map_from_origin) * dvec4(uv * w, z, w));
 }
 
@@ -150,7 +139,7 @@ TEST(ShadowMapFit, ShadersKnowWAndTexelsOfEveryPlace) {
     const dvec2 uv(random.unit(), random.unit());
     const double z = random.unit(), range = light.hi.z - light.lo.z, step = 1e-4;
     const dvec4 back = in_map(fit, scene_point(fit, uv, z));
-    const double w = shadow_warp::map_w(uv.y, fit.inverse_w_slope);
+    const double w = shadow_warp_double::map_w(uv.y, fit.inverse_w_slope);
     EXPECT_NEAR(back.w, w, 1e-9 * w);
     EXPECT_NEAR(back.x / back.w, uv.x, 1e-9);
     EXPECT_NEAR(back.y / back.w, uv.y, 1e-9);
@@ -161,7 +150,7 @@ TEST(ShadowMapFit, ShadersKnowWAndTexelsOfEveryPlace) {
     };
     const dvec3 across = a_texel({1, 0}), along = a_texel({0, 1});
     const double lean = fit.lean_first + fit.lean_step * uv.x;
-    const dvec2 texel = shadow_warp::texel_size(fit.texel_across, fit.texel_along, w);
+    const dvec2 texel = shadow_warp_double::texel_size(fit.texel_across, fit.texel_along, w);
     EXPECT_NEAR(glm::dot(across, fit.across), texel.x, 1e-4 * texel.x);
     EXPECT_NEAR(glm::dot(along, fit.along), texel.y, 1e-4 * texel.y);
     EXPECT_NEAR(glm::dot(along, fit.across), lean * texel.y, 1e-4 * texel.y * (1 + std::abs(lean)));
@@ -176,7 +165,7 @@ TEST(ShadowMapFit, ShadersKnowWAndTexelsOfEveryPlace) {
         const dvec2 on_plane(glm::dot(moved, fit.across), glm::dot(moved, fit.along));
         most = std::max(most, std::abs(glm::dot(on_plane, gradient)));
       }
-    EXPECT_NEAR(0.5 * shadow_warp::depth_over_texel(gradient, texel, lean), most, 1e-3 * most);
+    EXPECT_NEAR(0.5 * shadow_warp_double::depth_over_texel(gradient, texel, lean), most, 1e-3 * most);
   }
   EXPECT_GT(leaning, 100);
 }

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/trace/brute_force.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/light_buffer.h"
 #include "core/trace/surface_at.h"
-#include "core/trace/triangle.h"
 #include "trace_scenes.h"
 
 namespace hybridrt {
@@ -96,18 +96,6 @@ std::vector<Case> cases() {
   return all;
 }
 
-/// Asks all triangles but the query's own.
-bool is_occluded(const Scene& scene, const dvec3& toward, const ShadowQuery& query) {
-  const ShearedRay<double> ray = shear_ray(query.origin, toward);
-  for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
-    const vec3 a = scene.vertex(i, 0), b = scene.vertex(i, 1), c = scene.vertex(i, 2);
-    TriangleHit<double> hit;
-    if (i != query.triangle && !is_degenerate(a, b, c) && intersect_triangle(ray, a, b, c, hit) && hit.t > 0)
-      return true;
-  }
-  return false;
-}
-
 /// From points of triangles, on the side that faces the light.
 std::vector<ShadowQuery> surface_queries(const Scene& scene, const dvec3& toward, Random& random, int count) {
   std::vector<ShadowQuery> queries;
@@ -154,7 +142,7 @@ TEST(Sheets, CertificatesAreNeverWrong) {
         ++settled;
         const bool says_shadow = certainties[i] == ShadowCertainty::shadow;
         if (says_shadow == (occluded[i] != 0)) continue;
-        wrong += says_shadow || is_occluded(scene, toward, queries[i]);  // or it was its own triangle's rounding
+        wrong += says_shadow || brute_force_occluder(scene, toward, queries[i]) != kNoTriangle;  // or it was its own triangle's rounding
       }
     }
     EXPECT_EQ(wrong, 0u);
