@@ -1,8 +1,8 @@
 #include "cli/camera_options.h"
 
 #include "cli/option_values.h"
-#include "core/scene/procedural.h"
-#include "core/scene/scene_file.h"
+#include "core/procedural/procedural.h"
+#include "core/load/scene_file.h"
 
 namespace hybridrt::cli {
 namespace {

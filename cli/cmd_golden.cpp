@@ -9,7 +9,8 @@
 #include "core/base/output_file.h"
 #include "core/image_io/encode_image.h"
 #include "core/image_io/read_image.h"
-#include "core/measure/golden.h"
+#include "core/golden/golden.h"
+#include "core/base/timing.h"
 
 namespace hybridrt::cli {
 namespace {

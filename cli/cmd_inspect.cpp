@@ -5,7 +5,7 @@
 #include "cli/commands.h"
 #include "cli/inspection.h"
 #include "cli/loading_line.h"
-#include "core/scene/topology_warnings.h"
+#include "core/mesh/topology_warnings.h"
 
 namespace hybridrt::cli {
 namespace {

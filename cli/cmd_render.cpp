@@ -18,7 +18,8 @@
 #include "core/render/file_sink.h"
 #include "core/render/fingerprint.h"
 #include "core/render/timings_csv.h"
-#include "core/scene/topology_warnings.h"
+#include "core/mesh/topology_warnings.h"
+#include "core/base/timing.h"
 
 namespace hybridrt::cli {
 namespace {

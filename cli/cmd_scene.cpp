@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "core/scene/obj_writer.h"
-#include "core/scene/procedural.h"
-#include "core/scene/scene_json_writer.h"
+#include "core/load/obj_writer.h"
+#include "core/procedural/procedural.h"
+#include "core/load/scene_json_writer.h"
 
 namespace hybridrt::cli {
 namespace {

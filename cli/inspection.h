@@ -8,7 +8,7 @@
 #include "cli/render_options.h"
 #include "core/render/memory_estimate.h"
 #include "core/render/plan_notes.h"
-#include "core/scene/topology.h"
+#include "core/mesh/topology.h"
 
 namespace hybridrt::cli {
 

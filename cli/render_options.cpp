@@ -5,10 +5,10 @@
 #include "cli/option_values.h"
 #include "core/image_io/read_image.h"
 #include "core/render/memory_estimate.h"
-#include "core/scene/loading_bytes.h"
-#include "core/scene/procedural.h"
-#include "core/scene/scene_file.h"
-#include "core/scene/scene_source.h"
+#include "core/load/loading_bytes.h"
+#include "core/procedural/procedural.h"
+#include "core/load/scene_file.h"
+#include "core/load/scene_source.h"
 
 namespace hybridrt::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
 #include "core/render/render_job.h"
-#include "core/scene/load_watch.h"
+#include "core/load/load_watch.h"
 
 #include <optional>
 #include <string>

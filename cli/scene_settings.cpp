@@ -1,7 +1,7 @@
 #include "cli/parse_message.h"
 #include "cli/render_options.h"
 #include "core/base/error.h"
-#include "core/scene/scene_file.h"
+#include "core/load/scene_file.h"
 
 #include <CLI/CLI.hpp>
 

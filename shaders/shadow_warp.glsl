@@ -1,4 +1,4 @@
-// Reading a warped shadow map (core/scene/shadow_map_fit.h): compiled as GLSL and, by a test, as C++.
+// Reading a warped shadow map (core/passes/shadow_map_fit.h): compiled as GLSL and, by a test, as C++.
 // The includer provides Real, Vec2 and HRT_FN.
 
 // All along the row `v`, 0..1, of the map.

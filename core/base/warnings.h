@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hybridrt {
@@ -8,5 +11,21 @@ namespace hybridrt {
 /// Things that were repaired or left out, one finished sentence each, cases counted ("12 faces …").
 /// Functions that can go on in spite of a fault take one and append; the command line prints them.
 using Warnings = std::vector<std::string>;
+
+/// For messages: in single quotes, shortened, without control characters.
+std::string in_quotes(std::string_view text);
+
+/// Counts the cases of one kind of fault and remembers where the first one was.
+struct Tally {
+  size_t count = 0, first_line = 0;
+  void add(size_t line, size_t cases = 1) {
+    if (count == 0 || line < first_line) first_line = line;
+    count += cases;
+  }
+};
+
+/// "sports.obj: 57 triangles of zero area were left out (first at line 1234)", unless there were none.
+void report(const Tally& tally, std::string_view what, const std::filesystem::path& file, Warnings& warnings,
+            std::string_view place = "line");
 
 }  // namespace hybridrt

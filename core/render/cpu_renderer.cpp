@@ -2,7 +2,8 @@
 
 #include "core/render/aov.h"
 #include "core/render/kept_light_buffers.h"
-#include "core/trace/trace_pass.h"
+#include "core/passes_cpu/trace_pass.h"
+#include "core/base/timing.h"
 
 namespace hybridrt {
 

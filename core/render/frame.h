@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/timing.h"
 #include "core/image/image.h"
 #include "core/render/frame_plan.h"
+#include "core/render/frame_timings.h"
 #include "core/trace/trace_job.h"
 
 #include <functional>

@@ -4,7 +4,8 @@
 #include "core/gl/timer_query.h"
 #include "core/render/frame_plan.h"
 #include "core/render/frame.h"
-#include "core/trace/settle_shadows.h"
+#include "core/render/frame_timings.h"
+#include "core/passes_cpu/mark_boundary.h"
 
 #include <array>
 #include <cstdint>

@@ -2,10 +2,11 @@
 
 #include "core/base/check.h"
 #include "core/render/aov.h"
-#include "core/trace/repair_primary.h"
-#include "core/trace/settle_shadows.h"
-#include "core/trace/trace_pass.h"
+#include "core/passes_cpu/repair_primary.h"
+#include "core/passes_cpu/mark_boundary.h"
+#include "core/passes_cpu/trace_pass.h"
 #include "shaders/shared.h"
+#include "core/base/timing.h"
 
 namespace hybridrt {
 namespace {

@@ -3,6 +3,7 @@
 #include "core/render/cpu_renderer.h"
 #include "core/render/gl_renderer.h"
 #include "core/render/samples.h"
+#include "core/base/timing.h"
 
 namespace hybridrt {
 FrameRequest frame_request(const RenderJob& job, int frame) {

@@ -1,10 +1,11 @@
 #include "core/render/visible_receivers.h"
+#include "core/passes/receiver_hull.h"
 
 namespace hybridrt {
 namespace {
 
-int blocks_across(const RenderSettings& s) { return ReceiverDepthsPass::blocks(s.width_px); }
-int blocks_down(const RenderSettings& s) { return ReceiverDepthsPass::blocks(s.height_px); }
+int blocks_across(const RenderSettings& s) { return receiver_blocks(s.width_px); }
+int blocks_down(const RenderSettings& s) { return receiver_blocks(s.height_px); }
 
 }  // namespace
 
@@ -25,8 +26,8 @@ std::vector<dvec3> VisibleReceivers::find(const In& in) {
   readback_.start(blocks_, GL_RG, GL_FLOAT);
   readback_.wait();
   const auto* blocks = static_cast<const vec2*>(readback_.data());
-  const size_t count = static_cast<size_t>(ReceiverDepthsPass::blocks(whole.width_px)) *
-                       ReceiverDepthsPass::blocks(whole.height_px);
+  const size_t count = static_cast<size_t>(receiver_blocks(whole.width_px)) *
+                       receiver_blocks(whole.height_px);
   return receiver_hull(whole, in.near_distance, {blocks, count});
 }
 

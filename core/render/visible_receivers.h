@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/gl/readback.h"
-#include "core/passes/id_buffer.h"
-#include "core/passes/receiver_depths.h"
+#include "core/passes_gl/id_buffer.h"
+#include "core/passes_gl/receiver_depths.h"
 #include "core/render/settings.h"
 
 #include <optional>

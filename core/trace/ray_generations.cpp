@@ -1,10 +1,9 @@
 #include "core/trace/ray_generations.h"
 
 #include "core/base/check.h"
+#include "core/base/timing.h"
 #include "core/trace/primary_surface.h"
 #include "shaders/shared.h"
-
-#include <time.h>
 
 namespace hybridrt {
 namespace {
@@ -17,28 +16,6 @@ Real largest_part(const Vec3<Real>& v) {
 }
 
 }  // namespace
-
-double thread_cpu_ms() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
-void TraceStats::add(const TraceStats& other) {
-  pixels_hit += other.pixels_hit;
-  pixels_marked += other.pixels_marked;
-  pixels_reflective += other.pixels_reflective;
-  pixels_refractive += other.pixels_refractive;
-  shadow_rays += other.shadow_rays;
-  primary_shadow_rays += other.primary_shadow_rays;
-  reflection_rays += other.reflection_rays;
-  refraction_rays += other.refraction_rays;
-  pixels_suspect += other.pixels_suspect;
-  pixels_repaired += other.pixels_repaired;
-  repair_ms += other.repair_ms;
-  shadow_cpu_ms += other.shadow_cpu_ms;
-  secondary_cpu_ms += other.secondary_cpu_ms;
-}
 
 template <typename Real>
 RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>* caster)

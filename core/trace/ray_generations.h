@@ -82,9 +82,6 @@ class RayGenerations {
   std::vector<uint8_t> lit_;                      ///< as PrimaryHit::lit
 };
 
-/// Thread time in milliseconds, for differences.
-double thread_cpu_ms();
-
 extern template class RayGenerations<float>;
 extern template class RayGenerations<double>;
 

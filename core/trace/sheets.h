@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/scene/scene.h"
-#include "core/scene/topology.h"
+#include "core/mesh/topology.h"
 
 namespace hybridrt {
 

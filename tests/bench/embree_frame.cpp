@@ -1,4 +1,4 @@
-#include "embree_frame.h"
+#include "tests/bench/embree_frame.h"
 
 #include <embree3/rtcore.h>
 

@@ -1,7 +1,7 @@
-#include "ray_sets.h"
+#include "tests/bench/ray_sets.h"
 
-#include "core/scene/procedural.h"
-#include "core/scene/scene_source.h"
+#include "core/procedural/procedural.h"
+#include "core/load/scene_source.h"
 #include "core/trace/scatter.h"
 #include "core/trace/surface_at.h"
 

@@ -16,7 +16,7 @@
 #include "core/trace/brute_force.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/primary_surface.h"
-#include "ray_sets.h"
+#include "tests/bench/ray_sets.h"
 
 namespace hybridrt {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "core/trace/embree_caster.h"
 #include "core/trace/kd_caster.h"
-#include "core/trace/trace_pass.h"
-#include "embree_frame.h"
-#include "ray_sets.h"
+#include "core/passes_cpu/trace_pass.h"
+#include "tests/bench/embree_frame.h"
+#include "tests/bench/ray_sets.h"
 
 namespace hybridrt {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "tests/fuzz/reader.h"
-#include "tests/unit/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/scene/camera_path.h"
+#include "core/load/camera_json.h"
 #include "core/scene/view.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/reader.h"

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "core/base/error.h"
-#include "core/scene/obj_io.h"
-#include "core/scene/obj_parse.h"
-#include "core/scene/topology.h"
+#include "core/load/obj_io.h"
+#include "core/load/obj_parse.h"
+#include "core/mesh/topology.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/reader.h"
 

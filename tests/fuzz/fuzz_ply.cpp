@@ -1,6 +1,6 @@
 // PLY, as text and binary of either byte order, all the way to a scene.
 
-#include "core/scene/mesh_io.h"
+#include "core/load/mesh_io.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/reader.h"
 

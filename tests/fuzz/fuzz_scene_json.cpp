@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/scene/scene_file.h"
+#include "core/load/scene_file.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/reader.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/unit/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace hybridrt::fuzz {
 

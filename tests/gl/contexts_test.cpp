@@ -3,8 +3,8 @@
 #include "core/base/parallel.h"
 #include "core/gl/program.h"
 #include "core/render/gl_renderer.h"
-#include "core/scene/spheres.h"
-#include "gl_test.h"
+#include "core/procedural/spheres.h"
+#include "tests/gl/gl_test.h"
 
 namespace hybridrt {
 namespace {

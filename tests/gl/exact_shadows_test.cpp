@@ -1,7 +1,7 @@
 // `--shadows exact` through GL against the double-precision reference: not one wrong shadow, and hardly a wrong triangle.
 
 #include "core/trace/triangle.h"
-#include "frame_test.h"
+#include "tests/gl/frame_test.h"
 
 namespace hybridrt {
 namespace {

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/render/default_view.h"
 #include "core/render/render_job.h"
-#include "core/scene/scene_source.h"
+#include "core/load/scene_source.h"
 
 namespace hybridrt {
 

@@ -6,8 +6,8 @@
 
 #include "core/gl/program.h"
 #include "core/trace/surface.h"
-#include "gl_test.h"
-#include "shadow_warp.h"
+#include "tests/gl/gl_test.h"
+#include "tests/support/shadow_warp.h"
 
 namespace hybridrt {
 namespace {

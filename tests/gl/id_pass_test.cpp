@@ -1,10 +1,10 @@
 // Pass 2's ids against primary rays cast in double.
 
-#include "core/scene/obj_io.h"
-#include "core/scene/obj_writer.h"
-#include "core/scene/spheres.h"
-#include "pass_test.h"
-#include "temporary_folder.h"
+#include "core/load/obj_io.h"
+#include "core/load/obj_writer.h"
+#include "core/procedural/spheres.h"
+#include "tests/gl/pass_test.h"
+#include "tests/support/temporary_folder.h"
 
 namespace hybridrt {
 namespace {

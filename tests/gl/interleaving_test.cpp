@@ -1,7 +1,7 @@
 // Section 3.5 of the paper: how many frames are in flight, and on how many threads, changes no bit.
 
-#include "frame_test.h"
-#include "gl_test.h"
+#include "tests/gl/frame_test.h"
+#include "tests/gl/gl_test.h"
 
 namespace hybridrt {
 namespace {

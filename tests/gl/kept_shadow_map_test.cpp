@@ -2,8 +2,8 @@
 
 #include "core/render/gl_renderer.h"
 #include "core/trace/embree_caster.h"
-#include "frame_test.h"
-#include "gl_test.h"
+#include "tests/gl/frame_test.h"
+#include "tests/gl/gl_test.h"
 
 namespace hybridrt {
 namespace {

@@ -1,9 +1,9 @@
 // Pass 3 against a plain k x k blur written out.
 
-#include "core/passes/mark_boundary.h"
-#include "gl_test.h"
+#include "core/passes_gl/mark_boundary.h"
+#include "tests/gl/gl_test.h"
 #include "shaders/shared.h"
-#include "trace_scenes.h"
+#include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
 namespace {

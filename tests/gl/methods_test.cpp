@@ -4,8 +4,8 @@
 
 #include "core/render/aov.h"
 #include "core/image/compare.h"
-#include "frame_test.h"
-#include "gl_test.h"
+#include "tests/gl/frame_test.h"
+#include "tests/gl/gl_test.h"
 
 namespace hybridrt {
 namespace {

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/passes/id_buffer.h"
-#include "core/passes/receiver_depths.h"
+#include "core/passes_gl/id_buffer.h"
+#include "core/passes/receiver_hull.h"
+#include "core/passes_gl/receiver_depths.h"
 #include "core/render/frame_plan.h"
-#include "core/scene/normals.h"
+#include "core/mesh/normals.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/triangle.h"
-#include "gl_test.h"
-#include "trace_scenes.h"
+#include "tests/gl/gl_test.h"
+#include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
 
@@ -49,7 +50,7 @@ struct SeenScene {
     return read_pixels<uint32_t>(gl, ids, view.width_px, view.height_px, GL_RED_INTEGER, GL_UNSIGNED_INT);
   }
   std::vector<dvec3> receivers(double near_distance) const {
-    const int across = ReceiverDepthsPass::blocks(view.width_px), down = ReceiverDepthsPass::blocks(view.height_px);
+    const int across = receiver_blocks(view.width_px), down = receiver_blocks(view.height_px);
     const gl::Texture blocks(gl, GL_RG32F, across, down, "blocks");
     ReceiverDepthsPass(gl, gl::embedded_shaders()).run({depth, view.width_px, view.height_px}, {blocks});
     return receiver_hull(view, near_distance, read_pixels<vec2>(gl, blocks, across, down, GL_RG, GL_FLOAT));

@@ -2,7 +2,7 @@
 
 #include "core/base/check.h"
 #include "core/gl/program.h"
-#include "gl_test.h"
+#include "tests/gl/gl_test.h"
 
 namespace hybridrt {
 namespace {

@@ -1,7 +1,7 @@
 // Several lights through every method: light adds up, shadows and all.
 
-#include "frame_test.h"
-#include "trace_scenes.h"
+#include "tests/gl/frame_test.h"
+#include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
 namespace {

@@ -1,9 +1,9 @@
 // Pass 5 against the same formula written out in double on the CPU.
 
-#include "core/passes/shade.h"
-#include "core/scene/spheres.h"
+#include "core/passes_gl/shade.h"
+#include "core/procedural/spheres.h"
 #include "core/trace/surface_at.h"
-#include "pass_test.h"
+#include "tests/gl/pass_test.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {

@@ -1,9 +1,9 @@
 // Pass 1's depth and pass 2's shadow test against rays cast in double.
 
-#include "core/passes/shadow_map.h"
-#include "core/scene/spheres.h"
+#include "core/passes_gl/shadow_map.h"
+#include "core/procedural/spheres.h"
 #include "core/trace/surface.h"
-#include "pass_test.h"
+#include "tests/gl/pass_test.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {

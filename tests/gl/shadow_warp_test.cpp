@@ -1,8 +1,8 @@
 // --shadow-warp: what a frame's shadow map gets wrong, against a ray for every pixel.
 
 #include "core/render/gl_renderer.h"
-#include "frame_test.h"
-#include "gl_test.h"
+#include "tests/gl/frame_test.h"
+#include "tests/gl/gl_test.h"
 
 namespace hybridrt {
 namespace {

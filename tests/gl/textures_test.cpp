@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "core/passes/scene_gpu.h"
+#include "core/passes_gl/scene_gpu.h"
 #include "core/trace/texture_lookup.h"
-#include "frame_test.h"
-#include "gl_test.h"
-#include "textured_scenes.h"
-#include "trace_scenes.h"
+#include "tests/gl/frame_test.h"
+#include "tests/gl/gl_test.h"
+#include "tests/support/textured_scenes.h"
+#include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
 namespace {

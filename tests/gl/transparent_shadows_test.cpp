@@ -1,9 +1,9 @@
 // What see-through things cast: a full shadow whatever d, Tf and Ni, but none where a hole is cut. The light stands
 // straight above a pane over a floor, so the shadow is the pane's own outline.
 
-#include "frame_test.h"
-#include "temporary_folder.h"
-#include "textured_scenes.h"
+#include "tests/gl/frame_test.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/textured_scenes.h"
 
 namespace hybridrt {
 namespace {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/base/warnings.h"
+#include "core/load/load_watch.h"
+#include "core/scene/material.h"
+#include "core/load/mesh_data.h"
+#include "core/scene/scene.h"
+
+namespace hybridrt {
+
+/// A file's mesh and the materials that its names mean.
+struct LoadedMesh {
+  MeshData data;
+  std::vector<Material> library;
+  std::vector<std::string> library_files;  ///< that were read
+};
+
+/// One validated scene out of one or several meshes, in their order.
+///  - `origin_world` is 0 unless the whole lies farther from the origin than 16 times its size.
+///  - Triangles that repeat a vertex or have no area (as floats in scene space) are left out, with a warning.
+///  - Usable normals are kept in their order; the other corners get smooth ones (normals.h).
+///  - Each mesh's materials follow one another; "default" comes first if any triangle names no material or an
+///    unknown one, the latter with a warning.
+///  - Textures are read by watch.read_texels (load_textures.h). Texture coordinates are kept only for them.
+/// Throws Error (input): a mesh without a usable face, a scene too large or small for single precision.
+Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings& warnings,
+                     const LoadWatch& watch = {});
+
+}  // namespace hybridrt

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/warnings.h"
+#include "core/scene/camera_path.h"
+#include "core/scene/up_axis.h"
+
+namespace hybridrt {
+
+class JsonPlace;
+
+/// Settings that the numbers of a camera file are read by.
+struct CameraFileContext {
+  UpAxis up = UpAxis::y;               ///< the numbers are in the axes of the scene's files
+  double default_fov_y_rad = kPi / 4;  ///< where none is given
+};
+
+/// {"keyframes": [{"frame", "eye", "target", "up", "fov_y_deg", "light"}, …]} or
+/// {"orbit": {"target", "radius", "height", "from_deg", "to_deg", "fov_y_deg"}}: the documentation's camera
+/// path. Throws Error (input) naming file and place: what read_json_file throws, unknown or missing keys,
+/// numbers that are none or not finite, eye = target, a field of view outside of 0-180, frames not ascending,
+/// no keys. An `up` along the view is counted in one warning; the view takes another one (make_view).
+CameraCourse read_camera_file(const std::filesystem::path& path, const CameraFileContext& context,
+                              Warnings& warnings);
+
+/// The same from a value inside another file.
+CameraCourse parse_camera_course(const JsonPlace& place, const CameraFileContext& context,
+                                 Warnings& warnings);
+
+/// {"eye", "target", "up", "fov_y_deg"}: a still camera.
+Camera parse_camera(const JsonPlace& place, const CameraFileContext& context, Warnings& warnings);
+
+}  // namespace hybridrt

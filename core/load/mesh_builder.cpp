@@ -1,0 +1,67 @@
+#include "core/load/mesh_builder.h"
+
+#include "core/base/error.h"
+#include "core/mesh/polygon.h"
+
+namespace hybridrt {
+namespace {
+
+constexpr double kLargestCoordinate = 1e30;  // its square still fits a double, itself a float
+
+}  // namespace
+
+MeshBuilder::MeshBuilder(const std::filesystem::path& path, const char* place) {
+  data.path = path;
+  data.place = place;
+}
+
+void MeshBuilder::fail(size_t place, const std::string& problem) const {
+  if (data.place == std::string_view("line"))
+    throw error(ErrorKind::input, "{}:{}: {}", data.path.string(), place, problem);
+  throw error(ErrorKind::input, "{}: {} {}: {}", data.path.string(), data.place, place, problem);
+}
+
+void MeshBuilder::add_vertex(const dvec3& position, size_t place) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(std::abs(position[axis]) < kLargestCoordinate))
+      throw error(ErrorKind::input, "{}: vertex {}{}: its {} coordinate is not below 1e30",
+                  data.path.string(), data.positions.size(),
+                  data.place == std::string_view("line") ? fmt::format(" (line {})", place) : std::string(),
+                  "xyz"[axis]);
+  data.positions.push_back(position);
+}
+
+uint32_t MeshBuilder::corner(double index, size_t vertices, size_t place) const {
+  if (!(index >= 0 && index < static_cast<double>(vertices) && index == std::floor(index)))
+    fail(place,
+         fmt::format("{:.17g} is not the index of a vertex; there are {}, counted from 0", index, vertices));
+  return static_cast<uint32_t>(index);
+}
+
+void MeshBuilder::add_face(std::span<const uint32_t> corners, size_t place) {
+  ++data.faces;
+  if (corners.size() < 3) return small_.add(place);
+  const auto append = [&](uint32_t a, uint32_t b, uint32_t c) {
+    data.triangle_positions.emplace_back(a, b, c);
+    data.triangle_materials.push_back(0);
+    data.triangle_places.push_back(static_cast<uint32_t>(place));
+  };
+  if (corners.size() == 3) return append(corners[0], corners[1], corners[2]);
+  points_.clear(), cuts_.clear();
+  for (uint32_t corner : corners) points_.push_back(data.positions[corner]);
+  if (!triangulate_polygon(points_, cuts_)) tangled_.add(place);
+  for (const uvec3& cut : cuts_) append(corners[cut.x], corners[cut.y], corners[cut.z]);
+}
+
+MeshData MeshBuilder::finish(Warnings& warnings) {
+  report(small_, "faces of fewer than three corners were left out", data.path, warnings, data.place);
+  report(tangled_, "polygons cross themselves or have no area and were cut as they came", data.path, warnings,
+         data.place);
+  if (!data.normals.empty() && data.normals.size() == data.positions.size())
+    data.triangle_normals = data.triangle_positions;
+  else
+    data.normals.clear();
+  return std::move(data);
+}
+
+}  // namespace hybridrt

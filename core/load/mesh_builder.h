@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/warnings.h"
+#include "core/load/mesh_data.h"
+#include "core/load/text_scan.h"
+
+namespace hybridrt {
+
+/// Fills a MeshData from a file that says one thing after the other: checks every number and index, cuts
+/// polygons into triangles, counts what cannot be used.
+class MeshBuilder {
+ public:
+  MeshBuilder(const std::filesystem::path& path, const char* place);
+
+  MeshData data;
+
+  /// Throws Error (input) naming `place` unless every coordinate is finite and below 1e30.
+  void add_vertex(const dvec3& position, size_t place);
+  void add_normal(const dvec3& normal) { data.normals.push_back(usable_normal(normal)); }
+
+  /// Corners are indices of vertices that were added. Fewer than three are counted and left out.
+  void add_face(std::span<const uint32_t> corners, size_t place);
+
+  /// A corner as a number of the file. Throws Error (input) unless it is the index of one of `vertices`.
+  uint32_t corner(double index, size_t vertices, size_t place) const;
+
+  /// Says what was left out, and hands the mesh over. Normals, if there are as many as vertices, belong to
+  /// them.
+  MeshData finish(Warnings& warnings);
+
+  [[noreturn]] void fail(size_t place, const std::string& problem) const;
+
+ private:
+  std::vector<dvec3> points_;
+  std::vector<uvec3> cuts_;
+  Tally small_, tangled_;
+};
+
+}  // namespace hybridrt

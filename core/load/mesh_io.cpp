@@ -1,0 +1,99 @@
+#include "core/load/mesh_io.h"
+
+#include <exception>
+
+#include "core/base/check.h"
+#include "core/base/error.h"
+#include "core/load/assemble_scene.h"
+#include "core/load/loading_bytes.h"
+#include "core/load/mtl_io.h"
+#include "core/load/obj_parse.h"
+
+namespace hybridrt {
+namespace {
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+constexpr uint64_t kLargeObj = uint64_t{4} << 20;  // worth all threads
+
+uint64_t bytes_of(const std::filesystem::path& path) {
+  std::error_code unreadable;
+  const uint64_t bytes = std::filesystem::file_size(path, unreadable);
+  return unreadable ? 0 : bytes;
+}
+
+MeshData read_mesh(const std::filesystem::path& path, ThreadPool& pool, Warnings& warnings, LoadProgress* progress) {
+  if (mesh_format_of(path) == MeshFormat::obj) return parse_obj(path, pool, warnings, progress);
+  MeshData mesh = mesh_format_of(path) == MeshFormat::ply   ? read_ply(path, warnings)
+                  : mesh_format_of(path) == MeshFormat::off ? read_off(path, warnings)
+                                                            : read_stl(path, warnings);
+  if (progress) progress->bytes_read += bytes_of(path);
+  return mesh;
+}
+
+void turn(MeshData& mesh, UpAxis up) {
+  if (up == UpAxis::y) return;
+  for (dvec3& p : mesh.positions) p = y_up_from_files(up, p);
+  for (vec3& n : mesh.normals) n = y_up_from_files(up, n);
+}
+
+}  // namespace
+
+bool is_mesh_file(const std::filesystem::path& path) {
+  return mesh_format_of(path) != MeshFormat::obj || extension_of(path) == ".obj";
+}
+
+MeshFormat mesh_format_of(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".ply") return MeshFormat::ply;
+  if (extension == ".off") return MeshFormat::off;
+  if (extension == ".stl") return MeshFormat::stl;
+  return MeshFormat::obj;
+}
+
+Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool, Warnings& warnings,
+                  const LoadWatch& watch) {
+  HRT_CHECK(!paths.empty());
+  uint64_t memory_bytes = 0;
+  for (const std::filesystem::path& path : paths) {
+    memory_bytes += loading_bytes(path);
+    if (watch.progress) watch.progress->bytes += bytes_of(path);
+  }
+  require_room_for_scene(paths.front().string() + (paths.size() > 1 ? " and the other meshes" : ""), memory_bytes,
+                         watch.most_bytes);
+
+  std::vector<LoadedMesh> meshes(paths.size());
+  std::vector<Warnings> own_warnings(paths.size());
+  std::vector<std::exception_ptr> failures(paths.size());
+  const auto read = [&](size_t i, ThreadPool& own_pool) {
+    try {
+      LoadedMesh& mesh = meshes[i];
+      mesh.data = read_mesh(paths[i], own_pool, own_warnings[i], watch.progress);
+      mesh.library = read_libraries(paths[i].parent_path(), mesh.data.libraries, mesh.library_files, own_warnings[i]);
+      turn(mesh.data, up);
+    } catch (...) {
+      failures[i] = std::current_exception();
+    }
+  };
+  std::vector<size_t> small;
+  for (size_t i = 0; i < paths.size(); ++i)
+    if (paths.size() == 1 || (mesh_format_of(paths[i]) == MeshFormat::obj && bytes_of(paths[i]) >= kLargeObj))
+      read(i, pool);
+    else
+      small.push_back(i);
+  pool.run(small.size(), [&](size_t i, int) {
+    ThreadPool alone(1);
+    read(small[i], alone);
+  });
+  for (const std::exception_ptr& failure : failures)  // the first file's, whichever thread was first
+    if (failure) std::rethrow_exception(failure);
+  for (const Warnings& own : own_warnings) warnings.insert(warnings.end(), own.begin(), own.end());
+  return assemble_scene(std::move(meshes), pool, warnings, watch);
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,176 @@
+#include "core/load/mtl_io.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/load/text_lines.h"
+#include "core/load/text_scan.h"
+#include "core/load/texture_name.h"
+#include "core/base/warnings.h"
+
+namespace hybridrt {
+namespace {
+
+/// Where a statement stands, and what is left of it.
+struct Statement {
+  const TextLines& lines;
+  std::string_view name, rest;
+};
+
+float take_number(Statement& s) {
+  const std::string_view word = take_word(s.rest);
+  const std::optional<double> number = parse_number(word);
+  const std::string where = fmt::format("{}:{}: {}", s.lines.path().string(), s.lines.line_number(), s.name);
+  if (word.empty()) throw error(ErrorKind::input, "{} has no number behind it; mend or remove that line", where);
+  if (!number || std::abs(*number) > 1e30)
+    throw error(ErrorKind::input, "{}: {} is not a usable number; mend or remove that line", where, in_quotes(word));
+  return static_cast<float>(*number);
+}
+
+/// One number or three, clamped to >= 0. False for spectral and xyz colours, which we do not read.
+bool take_color(Statement& s, vec3& color) {
+  std::string_view peek = s.rest;
+  const std::string_view first = take_word(peek);
+  if (first == "spectral" || first == "xyz") return false;
+  vec3 value(take_number(s));
+  if (!trimmed(s.rest).empty()) value.y = take_number(s), value.z = take_number(s);
+  color = glm::max(value, vec3(0));
+  return true;
+}
+
+bool names_a_texture(std::string_view statement) {
+  return statement.starts_with("map_") || statement == "bump" || statement == "disp" ||
+         statement == "decal" || statement == "refl" || statement == "norm";
+}
+
+/// The kind of the maps that are read.
+std::optional<MapKind> map_kind(std::string_view statement) {
+  if (statement == "map_Kd") return MapKind::diffuse;
+  if (statement == "map_Ks") return MapKind::specular;
+  if (statement == "map_Ke") return MapKind::emitted;
+  if (statement == "map_d") return MapKind::holes;
+  return std::nullopt;
+}
+
+struct Tallies {
+  Tally unread_kinds, foreign_textures, missing_textures, foreign_colors, bad_ni, bad_illum;
+  std::string first_missing;
+};
+
+struct Reading {
+  Material material;
+  float dissolve = -1, transparency = -1;  ///< d and Tr as given; -1: not given
+  bool has_kd = false, has_ks = false, has_ke = false;
+};
+
+/// Keeps the texture; counts what is wrong with its name.
+void read_texture(const Statement& s, Reading& reading, Tallies& tallies) {
+  const size_t line = s.lines.line_number();
+  TextureStatement texture = read_texture_statement(s.rest);
+  TextureFile file = find_texture(s.lines.path().parent_path(), texture.name);
+  if (file.foreign) tallies.foreign_textures.add(line);
+  if (file.path.empty()) {
+    if (tallies.missing_textures.count == 0) tallies.first_missing = texture.name;
+    tallies.missing_textures.add(line);
+  }
+  const std::optional<MapKind> kind = map_kind(s.name);
+  if (!kind && s.name != "map_Ka") tallies.unread_kinds.add(line);  // Ka itself does not count
+  if (!kind) return;
+  texture.map.kind = *kind;
+  texture.map.path = std::move(file.path);
+  std::vector<TextureMap>& maps = reading.material.maps;
+  std::erase_if(maps, [&](const TextureMap& map) { return map.kind == *kind; });  // the last one counts
+  maps.push_back(std::move(texture.map));
+}
+
+void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
+  Material& m = reading.material;
+  const size_t line = s.lines.line_number();
+  const auto color = [&](vec3& to) {
+    if (!take_color(s, to)) tallies.foreign_colors.add(line);
+  };
+  if (s.name == "Kd") return reading.has_kd = true, color(m.kd);
+  if (s.name == "Ks") return reading.has_ks = true, color(m.ks);
+  if (s.name == "Ke") return reading.has_ke = true, color(m.ke);
+  if (s.name == "Tf") return color(m.tf);
+  if (s.name == "Ns") {
+    m.ns = std::clamp(take_number(s), 0.f, 1e4f);
+  } else if (s.name == "Ni") {
+    m.ni = take_number(s);
+    if (m.ni <= 0) m.ni = 1, tallies.bad_ni.add(line);
+  } else if (s.name == "d") {
+    std::string_view peek = s.rest;
+    if (take_word(peek) == "-halo") s.rest = peek;  // fades with the angle; we take the plain factor
+    reading.dissolve = std::clamp(take_number(s), 0.f, 1.f);
+  } else if (s.name == "Tr") {
+    reading.transparency = std::clamp(take_number(s), 0.f, 1.f);
+  } else if (s.name == "illum") {
+    const float model = take_number(s);
+    const bool known = model >= 0 && model <= 10 && model == std::floor(model);
+    m.illum = known ? static_cast<int>(model) : 2;
+    if (!known) tallies.bad_illum.add(line);
+  } else if (names_a_texture(s.name)) {
+    read_texture(s, reading, tallies);
+  }  // Ka and what else there is: not used
+}
+
+/// A map alone means its own colours. So does a diffuse one over black, which would show nothing.
+void mark_maps_alone(Reading& reading) {
+  for (TextureMap& map : reading.material.maps) {
+    if (map.kind == MapKind::diffuse) map.alone = !reading.has_kd || reading.material.kd == vec3(0);
+    if (map.kind == MapKind::specular) map.alone = !reading.has_ks;
+    if (map.kind == MapKind::emitted) map.alone = !reading.has_ke;
+  }
+}
+
+void finish_material(Reading& reading, std::vector<Material>& materials) {
+  mark_maps_alone(reading);
+  if (reading.dissolve >= 0)
+    reading.material.opacity = reading.dissolve;
+  else if (reading.transparency >= 0)
+    reading.material.opacity = 1 - reading.transparency;
+  resolve_material(reading.material);
+  materials.push_back(std::move(reading.material));
+}
+
+}  // namespace
+
+Material default_material() {
+  Material material;
+  material.name = "default";
+  resolve_material(material);
+  return material;
+}
+
+void read_mtl(const std::filesystem::path& path, std::vector<Material>& materials, Warnings& warnings) {
+  TextLines lines(path, LineJoin::none);
+  Tallies tallies;
+  Reading reading;
+  bool inside = false;  // what stands before the first newmtl belongs to nothing
+  for (std::string_view line; lines.next(line);) {
+    Statement s{lines, {}, line};
+    s.name = take_word(s.rest);
+    if (s.name.empty() || s.name.starts_with('#')) continue;
+    if (s.name == "newmtl") {
+      if (inside) finish_material(reading, materials);
+      inside = true;
+      reading = {};
+      reading.material.name = trimmed(s.rest);
+    } else if (inside) {
+      read_statement(s, reading, tallies);
+    }
+  }
+  if (inside) finish_material(reading, materials);
+
+  report(tallies.unread_kinds, "texture maps (bump, disp and others) are not read yet", path, warnings);
+  report(tallies.foreign_textures, "texture names lead to other folders; only files beside the MTL are looked for", path,
+         warnings);
+  report(tallies.missing_textures, fmt::format("texture files are missing ({})", in_quotes(tallies.first_missing)), path,
+         warnings);
+  report(tallies.foreign_colors, "colours are given as spectral or xyz, which are not read", path, warnings);
+  report(tallies.bad_ni, "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
+  report(tallies.bad_illum, "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,112 @@
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/load/mesh_builder.h"
+#include "core/load/mesh_io.h"
+#include "core/load/text_lines.h"
+#include "core/base/warnings.h"
+
+namespace hybridrt {
+namespace {
+
+constexpr double kMostCorners = 1 << 20;  // of one polygon
+
+/// The statements of an OFF file: lines without comments and blank ones.
+class OffLines {
+ public:
+  OffLines(const std::filesystem::path& path, const MeshBuilder& mesh)
+      : lines_(path, LineJoin::none), mesh_(mesh) {}
+
+  void next(const char* expected) {
+    for (std::string_view line; lines_.next(line);) {
+      rest_ = line.substr(0, line.find('#'));
+      if (!done()) return;
+    }
+    throw error(ErrorKind::input, "{}: cut short: it ends before {}", lines_.path().string(), expected);
+  }
+
+  bool done() const { return trimmed(rest_).empty(); }
+  std::string_view word() { return take_word(rest_); }
+  bool next_word_is(std::string_view expected) const {
+    std::string_view peek = rest_;
+    return take_word(peek) == expected;
+  }
+  size_t place() const { return lines_.line_number(); }
+
+  double number() {
+    const std::string_view text = word();
+    const std::optional<double> number = parse_number(text);
+    if (!number)
+      mesh_.fail(place(), text.empty() ? "a number is missing" : in_quotes(text) + " is not a usable number");
+    return *number;
+  }
+
+  size_t count(double most) {
+    const double value = number();
+    if (!(value >= 0 && value <= most && value == std::floor(value)))
+      mesh_.fail(place(), fmt::format("{:g} is no count; allowed are 0 to {:g}", value, most));
+    return static_cast<size_t>(value);
+  }
+
+ private:
+  TextLines lines_;
+  const MeshBuilder& mesh_;
+  std::string_view rest_;
+};
+
+/// What the keyword says stands behind each position: [ST][C][N][4][n]OFF.
+struct OffKind {
+  bool normals = false, colors = false, texture = false;
+};
+
+OffKind parse_keyword(const MeshBuilder& mesh, std::string_view keyword, size_t place) {
+  OffKind kind;
+  const std::string_view whole = keyword;
+  if (keyword.starts_with("ST")) kind.texture = true, keyword.remove_prefix(2);
+  if (keyword.starts_with("C")) kind.colors = true, keyword.remove_prefix(1);
+  if (keyword.starts_with("N")) kind.normals = true, keyword.remove_prefix(1);
+  if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
+    mesh.fail(place, fmt::format("{} has other than three dimensions", in_quotes(whole)));
+  if (keyword != "OFF")
+    mesh.fail(place, fmt::format("{} is not the keyword OFF: it is no OFF file", in_quotes(whole)));
+  return kind;
+}
+
+}  // namespace
+
+MeshData read_off(const std::filesystem::path& path, Warnings& warnings) {
+  MeshBuilder mesh(path, "line");
+  OffLines lines(path, mesh);
+  lines.next("the keyword OFF");
+  const OffKind kind = parse_keyword(mesh, lines.word(), lines.place());
+  if (lines.next_word_is("BINARY")) mesh.fail(lines.place(), "binary OFF is not read; write it as text");
+  if (lines.done()) lines.next("the counts");
+  const auto most = static_cast<double>(std::filesystem::file_size(path));  // a line each
+  const size_t vertices = lines.count(most), faces = lines.count(most);
+  if (!lines.done()) lines.number();  // of edges, which nobody fills in right
+
+  Tally colors;
+  for (size_t i = 0; i < vertices; ++i) {
+    lines.next("the last vertex");
+    const double x = lines.number(), y = lines.number(), z = lines.number();
+    mesh.add_vertex({x, y, z}, lines.place());
+    if (kind.normals) {
+      const double nx = lines.number(), ny = lines.number(), nz = lines.number();
+      mesh.add_normal({nx, ny, nz});
+    }
+    if (kind.colors || !(kind.texture || lines.done())) colors.add(lines.place());
+  }
+  std::vector<uint32_t> corners;
+  for (size_t i = 0; i < faces; ++i) {
+    lines.next("the last face");
+    const size_t count = lines.count(kMostCorners);
+    corners.clear();
+    while (corners.size() < count) corners.push_back(mesh.corner(lines.number(), vertices, lines.place()));
+    mesh.add_face(corners, lines.place());
+    if (!lines.done()) colors.add(lines.place());
+  }
+  report(colors, "vertices and faces have colours, which are ignored", path, warnings);
+  return mesh.finish(warnings);
+}
+
+}  // namespace hybridrt

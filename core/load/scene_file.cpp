@@ -1,0 +1,124 @@
+#include "core/load/scene_file.h"
+
+#include "core/base/error.h"
+#include "core/load/json_read.h"
+#include "core/load/mesh_io.h"
+#include "core/load/text_scan.h"
+#include "shaders/shared.h"
+#include "core/base/warnings.h"
+#include "core/load/camera_json.h"
+
+namespace hybridrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_known_keys(const JsonPlace& scene) {
+  scene.only({"meshes", "up_axis", "camera", "camera_path", "lights", "ambient", "background", "settings"});
+}
+
+fs::path beside(const fs::path& file, const std::string& name) {
+  return (file.parent_path() / fs::path(name)).lexically_normal();
+}
+
+std::vector<fs::path> parse_meshes(const JsonPlace& place, const fs::path& file) {
+  std::vector<fs::path> meshes;
+  for (size_t i = 0; i < place.size(); ++i) {
+    const std::string name = place[i].text();
+    meshes.push_back(beside(file, name));
+    if (!is_mesh_file(meshes.back()))
+      place[i].fail(fmt::format("{} is no {} file", in_quotes(name), kMeshFormats));
+  }
+  if (meshes.empty()) place.fail("there are no meshes; give at least one");
+  return meshes;
+}
+
+UpAxis parse_up_axis(const JsonPlace& place) {
+  const std::string axis = place.text();
+  if (axis != "y" && axis != "z") place.fail(fmt::format("{} is not known; one of y, z", in_quotes(axis)));
+  return axis == "y" ? UpAxis::y : UpAxis::z;
+}
+
+/// Linear, three numbers or one for three equal ones.
+vec3 parse_color(const JsonPlace& place) {
+  const dvec3 color = place.value().is_number() ? dvec3(place.number()) : place.vector();
+  for (int i = 0; i < 3; ++i)
+    if (!(color[i] >= 0 && color[i] <= 1e6)) place.fail("a colour's parts are 0 to 1000000");
+  return vec3(color);
+}
+
+std::vector<DirectionalLight> parse_lights(const JsonPlace& place) {
+  std::vector<DirectionalLight> lights;
+  if (place.size() > HRT_MAX_LIGHTS)
+    place.fail(fmt::format("there are {} lights; at most {} are possible", place.size(), HRT_MAX_LIGHTS));
+  for (size_t i = 0; i < place.size(); ++i) {
+    const JsonPlace entry = place[i];
+    // First, since other types have other keys.
+    const JsonPlace type = entry.at("type");
+    if (const std::string name = type.text(); name != "directional")
+      type.fail(name == "point" || name == "spot" || name == "environment"
+                    ? fmt::format("type '{}' is not supported yet; directional lights are", name)
+                    : fmt::format("{} is not known; write 'directional'", in_quotes(name)));
+    entry.only({"type", "toward", "color"});
+    DirectionalLight& light = lights.emplace_back();
+    light.toward = glm::normalize(entry.at("toward").direction());
+    if (const auto color = entry.find("color")) light.color = parse_color(*color);
+  }
+  return lights;
+}
+
+/// A setting as the command line would have it.
+std::string setting_text(const JsonPlace& place) {
+  const nlohmann::json& value = place.value();
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number() || value.is_boolean()) return value.dump();
+  if (!value.is_array() || value.empty())
+    place.fail("must be a string, a number, true, false or an array of these");
+  std::string list;
+  for (size_t i = 0; i < place.size(); ++i) {
+    if (place[i].value().is_structured()) place[i].fail("must be a string or a number");
+    if (i > 0) list += ',';
+    list += setting_text(place[i]);
+  }
+  return list;
+}
+
+}  // namespace
+
+bool is_scene_file(const fs::path& path) { return path.extension() == ".json"; }
+
+SceneDescription read_scene_file(const fs::path& path) {
+  const nlohmann::json document = read_json_file(path);
+  const JsonPlace scene(document, path.string());
+  require_known_keys(scene);
+  SceneDescription result;
+  result.meshes = parse_meshes(scene.at("meshes"), path);
+  if (const auto up = scene.find("up_axis")) result.up_axis = parse_up_axis(*up);
+  if (const auto lights = scene.find("lights")) result.lights = parse_lights(*lights);
+  if (const auto ambient = scene.find("ambient")) result.ambient = parse_color(*ambient);
+  if (const auto background = scene.find("background")) result.background = parse_color(*background);
+  if (scene.has("camera") && scene.has("camera_path")) scene.fail("give either 'camera' or 'camera_path'");
+  if (const auto settings = scene.find("settings")) {
+    settings->only_object();
+    for (const auto& [name, ignored] : settings->value().items()) {
+      std::string text = setting_text(settings->at(name.c_str()));
+      if (name == "camera" || name == "shaders") text = beside(path, text).string();
+      result.settings.emplace_back(name, std::move(text));
+    }
+  }
+  return result;
+}
+
+std::optional<CameraCourse> read_scene_file_camera(const fs::path& path, const CameraFileContext& context,
+                                                   Warnings& warnings) {
+  const nlohmann::json document = read_json_file(path);
+  const JsonPlace scene(document, path.string());
+  require_known_keys(scene);
+  if (const auto camera = scene.find("camera")) return parse_camera(*camera, context, warnings);
+  const auto course = scene.find("camera_path");
+  if (!course) return std::nullopt;
+  if (course->is_text()) return read_camera_file(beside(path, course->text()), context, warnings);
+  return parse_camera_course(*course, context, warnings);
+}
+
+}  // namespace hybridrt

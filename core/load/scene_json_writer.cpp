@@ -1,0 +1,52 @@
+#include "core/load/scene_json_writer.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "core/base/output_file.h"
+
+namespace hybridrt {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numbers(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// A float's number with the fewest digits that read back the same.
+double short_number(float value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  double number = 0;
+  std::from_chars(digits, end, number);
+  return number;
+}
+
+Json color(const vec3& c) { return {short_number(c.x), short_number(c.y), short_number(c.z)}; }
+
+}  // namespace
+
+void write_scene_json(const std::filesystem::path& path_json, const std::string& mesh,
+                      const SceneShot& shot) {
+  Json json;
+  json["meshes"] = {mesh};
+  if (shot.camera) {
+    const Camera& camera = *shot.camera;
+    // To a millionth of a degree: 38 degrees made radians come back as 38.
+    const double fov_y_deg = std::round(camera.fov_y_rad * 180 / kPi * 1e6) / 1e6;
+    json["camera"] = {{"eye", numbers(camera.eye_world)},
+                      {"target", numbers(camera.target_world)},
+                      {"up", numbers(camera.up)},
+                      {"fov_y_deg", fov_y_deg}};
+  }
+  if (shot.lights) {
+    json["lights"] = Json::array();
+    for (const DirectionalLight& light : *shot.lights)
+      json["lights"].push_back(
+          {{"type", "directional"}, {"toward", numbers(light.toward)}, {"color", color(light.color)}});
+  }
+  if (shot.ambient) json["ambient"] = color(*shot.ambient);
+  if (shot.background) json["background"] = color(*shot.background);
+  write_file_atomically(path_json, std::string_view(json.dump(1) + "\n"));
+}
+
+}  // namespace hybridrt

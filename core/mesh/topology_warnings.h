@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/base/warnings.h"
+#include "core/scene/scene.h"
+#include "core/mesh/topology.h"
+
+namespace hybridrt {
+
+/// Whether some material bends light, so that it matters which side of a surface is inside. See-through
+/// materials that let it go straight on (Ni 1) do not count.
+bool refracts(const Scene& scene);
+
+/// What cannot be told without topology: non-manifold edges, and refracting materials on open meshes.
+void topology_warnings(const Scene& scene, const Topology& topology, Warnings& warnings);
+
+}  // namespace hybridrt

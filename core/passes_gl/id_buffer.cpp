@@ -1,0 +1,64 @@
+#include "core/passes_gl/id_buffer.h"
+
+#include "shaders/shared.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace hybridrt {
+
+IdBufferPass::IdBufferPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes)
+    : gl_(gl),
+      holes_(holes),
+      program_(holes ? gl::Program(gl, shaders, {"id_holes.vert", "id_holes.frag"}) : gl::Program(gl, shaders, {"id.vert", "id.frag"})) {}
+
+void IdBufferPass::run(const In& in, const Out& out) const {
+  const gl::Functions& gl = gl_;
+  const GLuint no_triangle[4] = {kNoTriangle, 0, 0, 0};
+  const float infinitely_far = 0;  // reversed depth
+  gl.BindFramebuffer(GL_FRAMEBUFFER, out.ids.id());
+  // The whole frame's viewport, shifted: what is cut out of it is rasterised as in the whole.
+  gl.Viewport(-in.view.x_px, -in.view.y_px, in.view.frame_width_px, in.view.frame_height_px);
+  gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthMask(GL_TRUE);
+  gl.DepthFunc(GL_GREATER);
+  gl.ClearNamedFramebufferuiv(out.ids.id(), GL_COLOR, 0, no_triangle);
+  gl.ClearNamedFramebufferfv(out.ids.id(), GL_DEPTH, 0, &infinitely_far);
+
+  program_.use();
+  set_eye_uniforms(program_, in.view.eye);
+  program_.set("clip_from_eye", mat4(clip_from_eye(in.view, in.near_distance)));
+  if (holes_) in.scene.draw_with_holes(gl);
+  else in.scene.draw(gl);
+  gl::throw_on_error(gl, "pass 2, triangle ids");
+}
+
+ShadowTestPass::ShadowTestPass(const gl::Functions& gl, const gl::ShaderSources& shaders)
+    : gl_(gl), program_(gl, shaders, {"shadow_test.comp"}) {}
+
+void ShadowTestPass::run(const In& in, const Out& out) const {
+  const gl::Functions& gl = gl_;
+  in.scene.bind_geometry(gl);
+  gl.BindTextureUnit(HRT_UNIT_IDS, in.ids.id());
+  gl.BindTextureUnit(HRT_UNIT_SHADOW_MAP, in.shadow_map.id());
+  gl.BindImageTexture(HRT_IMAGE_OUT, out.mask.id(), 0, GL_FALSE, out.layer, GL_WRITE_ONLY, GL_R8UI);
+
+  program_.use();
+  set_view_uniforms(program_, in.view);
+  program_.set("map_from_eye", mat4(in.fit.map_from_origin * glm::translate(dmat4(1), in.view.eye - in.fit.origin)));
+  program_.set("inverse_w_slope", static_cast<float>(in.fit.inverse_w_slope));
+  program_.set("texel_across", static_cast<float>(in.fit.texel_across));
+  program_.set("texel_along", static_cast<float>(in.fit.texel_along));
+  program_.set("to_light", vec3(in.to_light));
+  program_.set("across", vec3(in.fit.across));
+  program_.set("along", vec3(in.fit.along));
+  program_.set("uniform_texel", static_cast<float>(in.fit.uniform_texel));
+  program_.set("lean_first", static_cast<float>(in.fit.lean_first));
+  program_.set("lean_step", static_cast<float>(in.fit.lean_step));
+  program_.set("warped", in.fit.warped);
+  gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);
+  gl::throw_on_error(gl, "pass 2, shadow test");
+}
+
+}  // namespace hybridrt

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/passes_gl/scene_gpu.h"
+#include "core/passes/shadow_map_fit.h"
+
+namespace hybridrt {
+
+/// Pass 2, first step (paper, section 3.4): the number of the triangle that each pixel sees.
+struct IdBufferPass {
+  /// `holes`: of SceneGpu::has_holes().
+  IdBufferPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes = false);
+
+  struct In {
+    const SceneGpu& scene;
+    const View& view;
+    double near_distance;
+  };
+  struct Out {
+    const gl::Framebuffer& ids;  ///< R32UI and DEPTH_COMPONENT32F, of the view's size, row 0 on top
+  };
+  void run(const In& in, const Out& out) const;
+
+ private:
+  const gl::Functions& gl_;
+  const bool holes_;
+  gl::Program program_;
+};
+
+/// Pass 2, second step: the shadow-map test, once for every pixel that sees a triangle.
+struct ShadowTestPass {
+  ShadowTestPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
+
+  struct In {
+    const SceneGpu& scene;
+    const View& view;
+    const dvec3& to_light;  ///< unit
+    const ShadowMapFit& fit;  ///< what `shadow_map` was drawn by
+    const gl::Texture& ids;
+    const gl::Texture& shadow_map;
+  };
+  struct Out {
+    const gl::TextureName& mask;  ///< R8UI, HRT_MASK_* bits (shaders/shared.h)
+    int layer = 0;                ///< of it, that is written
+  };
+  void run(const In& in, const Out& out) const;
+
+ private:
+  const gl::Functions& gl_;
+  gl::Program program_;
+};
+
+}  // namespace hybridrt

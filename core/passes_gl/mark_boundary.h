@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/passes_gl/scene_gpu.h"
+
+namespace hybridrt {
+
+/// Pass 3 (paper, section 3.4): blurs the shadow mask with a k x k box; where the result is neither dark
+/// nor lit, a shadow's edge is near and pass 4 asks a ray. Pixels without a surface do not count.
+struct MarkBoundaryPass {
+  MarkBoundaryPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
+
+  struct In {
+    const gl::TextureArray& mask;  ///< R8UI, from pass 2
+    int width_px, height_px;
+    int kernel_px;                 ///< odd, 1..31
+    int layer = 0;                 ///< of both masks
+  };
+  struct Out {
+    const gl::Texture& row_sums;          ///< RG8UI scratch
+    const gl::TextureArray& marked_mask;  ///< R8UI, `mask` with HRT_MASK_MARKED added
+  };
+  void run(const In& in, const Out& out) const;
+
+ private:
+  const gl::Functions& gl_;
+  gl::Program rows_, mark_;
+};
+
+}  // namespace hybridrt

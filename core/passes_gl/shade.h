@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/passes_gl/scene_gpu.h"
+
+#include <span>
+
+namespace hybridrt {
+
+/// Pass 5 (paper, section 3.4): ambient + each light's shadow · (diffuse + specular) + traced contribution, once a
+/// pixel from its id.
+struct ShadePass {
+  /// For `light_count` lights, at most HRT_MAX_LIGHTS: compiled in, since a loop of unknown length doubles the time on
+  /// llvmpipe even where it is never entered. `textured`: whether SceneGpu has textures.
+  ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, size_t light_count, bool textured = false);
+
+  struct In {
+    const SceneGpu& scene;
+    const View& view;
+    const gl::Texture& ids;
+    const gl::TextureArray* mask;  ///< R8UI, a layer a light: HRT_MASK_LIT where it arrives; null: everywhere
+    const gl::Texture* traced;     ///< RGBA32F, added to the colour; null: nothing
+    std::span<const DirectionalLight> lights;  ///< as many as promised; those without shadows arrive everywhere
+    vec3 ambient, background;
+  };
+  struct Out {
+    const gl::Texture& picture;  ///< RGBA32F, linear; alpha 1 where a surface is seen, else 0
+  };
+  void run(const In& in, const Out& out) const;
+
+ private:
+  void set_lights(const In& in) const;
+
+  const gl::Functions& gl_;
+  const size_t light_count_;
+  const bool textured_;
+  gl::Program program_;
+};
+
+}  // namespace hybridrt

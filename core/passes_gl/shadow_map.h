@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/passes_gl/scene_gpu.h"
+#include "core/passes/shadow_map_fit.h"
+
+namespace hybridrt {
+
+/// Pass 1 (paper, section 3.4): the depth of the nearest surface as the light sees it, geometry only.
+struct ShadowMapPass {
+  /// `holes`: of SceneGpu::has_holes().
+  ShadowMapPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes = false);
+
+  struct In {
+    const SceneGpu& scene;
+    const ShadowMapFit& fit;
+    int size_px;
+  };
+  struct Out {
+    const gl::Framebuffer& depth;  ///< DEPTH_COMPONENT32F, size_px square: z / w of the fit, 1 where there is nothing
+  };
+  void run(const In& in, const Out& out) const;
+
+ private:
+  const gl::Functions& gl_;
+  const bool holes_;
+  gl::Program program_;
+};
+
+}  // namespace hybridrt

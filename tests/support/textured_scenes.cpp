@@ -1,0 +1,98 @@
+#include "tests/support/textured_scenes.h"
+
+#include "core/base/error.h"
+#include "core/load/load_textures.h"
+#include "core/load/scene_source.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/trace_scenes.h"
+
+namespace hybridrt {
+
+TexelImage pattern_named(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels) {
+  const std::string name = path.filename().string();
+  if (name.starts_with("torn")) throw error(ErrorKind::input, "{}: broken image", path.string());
+  TexelImage image;
+  Random random(17);
+  const auto fill = [&](int width, int height, const auto& texel) {
+    image.width_px = width, image.height_px = height;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) image.texels.push_back(texel(x, y));
+  };
+  if (name.starts_with("noise")) {
+    fill(12, 7, [&](int, int) { return texel_of(random.below(256), random.below(256), random.below(256)); });
+  } else if (name.starts_with("leaf")) {
+    image.has_alpha = true;
+    fill(32, 32, [&](int x, int y) {
+      const int i = x % 16 - 8, j = y % 16 - 8;
+      return texel_of(40, 100 + random.below(100), 20, i * i + j * j < 30 ? 0 : 255);
+    });
+  } else {
+    fill(8, 8, [&](int x, int y) { return (x + y) % 2 ? texel_of(30, 30, 30) : texel_of(220, 220, 220); });
+  }
+  if (image.width_px > largest_side_px || image.texels.size() > most_texels)
+    throw error(ErrorKind::input, "{}: too large", path.string());
+  return image;
+}
+
+Scene textured_triangle(const TexelImage& image, TextureMap map) {
+  Scene scene;
+  add_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  map.path = "image";
+  scene.materials = {Material{}};
+  scene.materials[0].maps = {map};
+  scene.triangle_materials = {0};
+  Textures textures;
+  textures.texcoords = {vec2(0, 0), vec2(1, 0), vec2(0, 1)};
+  textures.triangle_texcoords = {uvec3(0, 1, 2)};
+  LoadWatch watch;
+  watch.read_texels = [&](const std::filesystem::path&, int, uint64_t) { return image; };
+  ThreadPool pool(1);
+  Warnings warnings;
+  load_textures(scene, std::move(textures), pool, warnings, watch);
+  return scene;
+}
+
+Scene with_random_holes(Scene scene, uint32_t seed) {
+  scene.materials = {Material{}, Material{}};
+  TextureMap leaf;
+  leaf.path = "leaf.png";
+  scene.materials[1].maps = {leaf};
+  scene.triangle_materials.clear();
+  Random random(seed);
+  Textures textures;
+  for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
+    scene.triangle_materials.push_back(i % 2);
+    for (int corner = 0; corner < 3; ++corner)
+      textures.texcoords.emplace_back(random.between(-2, 3), random.between(-2, 3));
+    textures.triangle_texcoords.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  LoadWatch watch;
+  watch.read_texels = pattern_named;
+  ThreadPool pool(1);
+  Warnings warnings;
+  load_textures(scene, std::move(textures), pool, warnings, watch);
+  return scene;
+}
+
+Scene textured_room() {
+  const TemporaryFolder folder;
+  for (const char* name : {"noise.png", "leaf.png", "mask.png"}) folder.write(name, "x");
+  folder.write("room.mtl",
+               "newmtl floor\nKd 0.9 0.9 0.9\nmap_Kd -s 3 5 noise.png\nnewmtl leaf\nmap_Kd leaf.png\n"
+               "newmtl mirror\nKd 0.2 0.2 0.2\nKs 0.8 0.8 0.8\nNs 50\nillum 3\nmap_Ks mask.png\n"
+               "newmtl lamp\nKd 0 0 0\nKe 1 1 1\nmap_Ke -mm 0.1 0.5 -clamp on noise.png\n");
+  const std::filesystem::path obj = folder.write(
+      "room.obj",
+      "mtllib room.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt -0.5 0\n"
+      "v -4 0 -4\nv 4 0 -4\nv 4 0 4\nv -4 0 4\nusemtl floor\nf 4/1 3/2 2/3 1/4\n"
+      "v -2 1 -2\nv 1 1.5 -2\nv 1 1.5 2\nv -2 1 2\nusemtl leaf\nf 8/1 7/2 6/3 5/4\n"
+      "v -3 0 -3.5\nv 3 0 -3.5\nv 3 3 -3\nv -3 3 -3\nusemtl mirror\nf 9/1 10/2 11/3 12/4\n"
+      "v 2 0.2 -1\nv 3.5 0.2 -1\nv 3.5 2 -1\nv 2 2 -1\nusemtl lamp\nf 13/5 14/2 15/3 16/4\n");
+  LoadWatch watch;
+  watch.read_texels = pattern_named;
+  ThreadPool pool(2);
+  Warnings warnings;
+  return load_scene(obj.string(), pool, warnings, std::nullopt, watch);
+}
+
+}  // namespace hybridrt

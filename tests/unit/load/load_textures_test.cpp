@@ -1,0 +1,156 @@
+// From MTL statements to textures, with pictures that need no files.
+
+#include "core/load/load_textures.h"
+
+#include <atomic>
+
+#include "core/load/scene_source.h"
+#include "tests/support/obj_test.h"
+#include "shaders/shared.h"
+#include "tests/support/textured_scenes.h"
+
+namespace hybridrt {
+namespace {
+
+using std::string;
+
+const string kQuads = "mtllib a.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+
+struct LoadTextures : testing::Test {
+  TemporaryFolder folder;
+  Warnings warnings;
+  std::atomic<int> reads = 0;
+
+  LoadTextures() {
+    for (const char* name : {"noise.png", "noise2.png", "leaf.png", "mask.png", "torn.png"}) folder.write(name, "x");
+  }
+  Scene load(const string& mtl, const string& faces, LoadWatch watch = {}, int threads = 2) {
+    folder.write("a.mtl", mtl);
+    const string obj = folder.write("a.obj", kQuads + faces).string();
+    watch.read_texels = [this](const std::filesystem::path& path, int side, uint64_t most) {
+      ++reads;
+      return pattern_named(path, side, most);
+    };
+    ThreadPool pool(threads);
+    warnings.clear();
+    return load_scene(obj, pool, warnings, std::nullopt, watch);
+  }
+  static uint32_t record(const Scene& scene, uint32_t triangle, uint32_t kind) {
+    const uint32_t maps = scene.textures->triangle_maps.at(triangle);
+    return maps ? scene.textures->words.at(maps + kind) : 0;
+  }
+};
+
+TEST_F(LoadTextures, KeepsTextureCoordinatesOfCorners) {
+  const Scene scene = load("newmtl a\nmap_Kd noise.png\nnewmtl b\n",
+                           "usemtl a\nf 1/1 2/2 4/3 3/-2\nusemtl b\nf 1 2 3\n");
+  ASSERT_TRUE(scene.textures);
+  const Textures& t = *scene.textures;
+  ASSERT_EQ(t.triangle_texcoords.size(), 3u);
+  const auto at = [&](uint32_t triangle, int corner) { return t.texcoords[t.triangle_texcoords[triangle][corner]]; };
+  for (uint32_t triangle = 0; triangle < 2; ++triangle)  // corner for corner, however the quad was cut
+    for (int corner = 0; corner < 3; ++corner) {
+      const vec3 p = scene.vertex(triangle, corner);
+      EXPECT_EQ(at(triangle, corner), p == vec3(0) ? vec2(0) : p == vec3(1, 1, 0) ? vec2(1) : vec2(1, 0));
+    }
+  EXPECT_EQ(at(2, 0), vec2(0));
+  EXPECT_NE(record(scene, 0, HRT_MAP_DIFFUSE), 0u);
+  EXPECT_EQ(t.triangle_maps[2], 0u);
+  EXPECT_TRUE(warnings.empty()) << "triangles without a texture need no coordinates";
+  EXPECT_EQ(scene.files.back(), (folder.path / "noise.png").string());
+  EXPECT_EQ(scene.material_of(0).kd, vec3(1)) << "no Kd: the map's own colours";
+}
+
+TEST_F(LoadTextures, NothingIsKeptWithoutMaps) {
+  EXPECT_FALSE(load("newmtl a\n", "usemtl a\nf 1/1 2/2 3/3\n").textures);
+  EXPECT_FALSE(load("newmtl a\nnewmtl b\nmap_Kd noise.png\n", "usemtl a\nf 1/1 2/2 3/3\n").textures) << "nobody uses b";
+  EXPECT_FALSE(load("newmtl a\nmap_Ks gone.png\n", "usemtl a\nf 1/1 2/2 3/3\n").textures);
+  EXPECT_EQ(reads, 0);
+}
+
+TEST_F(LoadTextures, AFileIsReadOnce) {
+  const Scene scene = load(
+      "newmtl a\nmap_Kd noise.png\nmap_Ks noise.png\nmap_Ke -s 2 noise.png\nnewmtl b\nmap_Kd -o 1 noise.png\n",
+      "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n");
+  EXPECT_EQ(reads, 1);
+  const auto first = [&](uint32_t r) { return scene.textures->words[r + HRT_TEXTURE_FIRST]; };
+  EXPECT_EQ(first(record(scene, 0, HRT_MAP_DIFFUSE)), first(record(scene, 1, HRT_MAP_DIFFUSE)));
+  EXPECT_NE(record(scene, 0, HRT_MAP_DIFFUSE), record(scene, 1, HRT_MAP_DIFFUSE)) << "other options";
+}
+
+TEST_F(LoadTextures, WhatCannotBeReadIsACheckerOrLeftOut) {
+  const Scene scene = load("newmtl a\nmap_Kd torn.png\nmap_Ks torn.png\nKd .2 .3 .4\nnewmtl b\nmap_Ks gone.png\nmap_Kd gone.png\n",
+                           "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n");
+  for (const uint32_t triangle : {0u, 1u}) {
+    const uint32_t diffuse = record(scene, triangle, HRT_MAP_DIFFUSE);
+    ASSERT_NE(diffuse, 0u);
+    const uint32_t first = scene.textures->words[diffuse + HRT_TEXTURE_FIRST];
+    EXPECT_NE(scene.textures->words[first], scene.textures->words[first + 8]) << "not all one colour";
+  }
+  EXPECT_EQ(record(scene, 0, HRT_MAP_SPECULAR), 0u);
+  EXPECT_EQ(scene.material_of(0).ks, vec3(0)) << "nothing in its place";
+  EXPECT_EQ(scene.material_of(0).kd, vec3(.2f, .3f, .4f));
+  EXPECT_TRUE(warned(warnings, "1 textures cannot be used"));
+  EXPECT_TRUE(warned(warnings, "torn.png: broken image"));
+  EXPECT_TRUE(warned(warnings, "2 texture files are missing ('gone.png')"));
+  EXPECT_EQ(std::count(scene.files.begin(), scene.files.end(), (folder.path / "torn.png").string()), 0);
+}
+
+TEST_F(LoadTextures, HolesOfAlphaAndOfMapD) {
+  const Scene scene = load(
+      "newmtl a\nmap_Kd leaf.png\nnewmtl b\nmap_Kd leaf.png\nmap_d mask.png\nnewmtl c\nmap_Kd noise.png\n"
+      "newmtl d\nmap_d -mm 0.6 1 mask.png\nnewmtl e\nmap_d leaf.png\n",
+      "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 3/3\nusemtl d\nf 1/1 2/2 3/3\n"
+      "usemtl e\nf 1/1 2/2 3/3\n");
+  EXPECT_TRUE(scene.has_holes());
+  const auto words = [&](uint32_t triangle, uint32_t field) {
+    return scene.textures->words[record(scene, triangle, HRT_MAP_HOLES) + field];
+  };
+  EXPECT_EQ(record(scene, 0, HRT_MAP_HOLES), record(scene, 0, HRT_MAP_DIFFUSE));
+  EXPECT_EQ(words(1, HRT_TEXTURE_WIDTH), 8u) << "map_d wins";
+  EXPECT_EQ(scene.textures->words[words(1, HRT_TEXTURE_FIRST)] >> 24, 220u) << "its brightness";
+  EXPECT_EQ(record(scene, 2, HRT_MAP_HOLES), 0u);
+  EXPECT_EQ(record(scene, 3, HRT_MAP_HOLES), 0u) << "never under one half";
+  EXPECT_EQ(words(4, HRT_TEXTURE_WIDTH), 32u);
+  EXPECT_EQ(scene.textures->words[words(4, HRT_TEXTURE_FIRST) + 8 * 32 + 8] >> 24, 0u) << "its alpha";
+  EXPECT_EQ(scene.material_of(0).opacity, 1) << "holes are no veil";
+}
+
+TEST_F(LoadTextures, MissingCoordinatesAreToldOf) {
+  const Scene scene = load("newmtl a\nmap_Kd noise.png\n", "usemtl a\nf 1/1 2/2 3/3\nf 1/1 2 3\nf 1 2 3\n");
+  EXPECT_TRUE(warned(warnings, "2 triangles have a texture but not all of their texture coordinates"));
+  const Textures& t = *scene.textures;
+  EXPECT_EQ(t.texcoords[t.triangle_texcoords[1].y], vec2(0));
+}
+
+TEST_F(LoadTextures, MemoryIsBounded) {
+  const string mtl = "newmtl a\nmap_Kd noise.png\nnewmtl b\nmap_Kd noise2.png\n",
+               faces = "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n";
+  const Scene both = load(mtl, faces);
+  EXPECT_TRUE(warnings.empty());
+  LoadWatch watch;
+  watch.most_bytes = 16 * (both.textures->words.size() - 1);
+  const Scene tight = load(mtl, faces, watch);
+  EXPECT_TRUE(warned(warnings, "noise2.png: no memory is left"));
+  EXPECT_NE(record(tight, 0, HRT_MAP_DIFFUSE), 0u);
+}
+
+TEST_F(LoadTextures, TheSameForAnyThreads) {
+  string mtl, faces;
+  for (int i = 0; i < 20; ++i) {
+    folder.write(fmt::format("noise{}.png", i), "x");
+    mtl += fmt::format("newmtl m{}\nmap_Kd -imfchan {} noise{}.png\n", i, "rgbl"[i % 4], i);
+    faces += fmt::format("usemtl m{}\nf 1/1 2/2 3/3\n", i);
+  }
+  const Scene one = load(mtl, faces, {}, 1), five = load(mtl, faces, {}, 5);
+  EXPECT_EQ(one.textures->words, five.textures->words);
+  EXPECT_EQ(one.textures->triangle_maps, five.textures->triangle_maps);
+}
+
+TEST_F(LoadTextures, UnreadableCoordinatesAreZero) {
+  load("newmtl a\nmap_Kd noise.png\n", "vt nan 0\nvt 1e9 0\nvt\nvt 0.5\nusemtl a\nf 1/1 2/2 3/3\nf 1/4 2/5 3/7\n");
+  EXPECT_TRUE(warned(warnings, "3 texture coordinates are no usable numbers and were set to 0 (first at line 9)"));
+}
+
+}  // namespace
+}  // namespace hybridrt

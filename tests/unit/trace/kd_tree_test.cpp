@@ -1,0 +1,146 @@
+#include "core/trace/kd_tree.h"
+
+#include <cstring>
+#include <gtest/gtest.h>
+
+#include "core/trace/triangle.h"
+#include "tests/support/trace_scenes.h"
+
+namespace hybridrt {
+namespace {
+
+template <typename T>
+void expect_same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+KdTree build(const Scene& scene, int threads = 1) {
+  ThreadPool pool(threads);
+  return build_kd_tree(scene, pool);
+}
+
+size_t hittable_triangles(const Scene& scene) {
+  size_t count = 0;
+  for (uint32_t i = 0; i < scene.triangle_count(); ++i)
+    count += !is_degenerate(scene.vertex(i, 0), scene.vertex(i, 1), scene.vertex(i, 2));
+  return count;
+}
+
+/// Calls visit(leaf, cell) for every leaf; checks the links on the way.
+template <typename Visit>
+void for_each_leaf(const KdTree& tree, uint32_t node, const Aabb& cell, const Visit& visit) {
+  ASSERT_LT(node, tree.nodes.size());
+  const KdNode n = tree.nodes[node];
+  if (n.is_leaf()) return visit(n, cell);
+  ASSERT_GT(n.left_child(), node);
+  ASSERT_EQ(n.left_child() % 2, 0u);
+  ASSERT_GE(n.split, cell.lo[n.axis()]);
+  ASSERT_LE(n.split, cell.hi[n.axis()]);
+  Aabb left = cell, right = cell;
+  left.hi[n.axis()] = right.lo[n.axis()] = n.split;
+  for_each_leaf(tree, n.left_child(), left, visit);
+  for_each_leaf(tree, n.left_child() + 1, right, visit);
+}
+
+class KdTreeBuild : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(KdTreeBuild, IsTheSameForAnyNumberOfThreads) {
+  const KdTree one = build(GetParam().scene, 1);
+  for (const int threads : {2, 5}) {
+    const KdTree many = build(GetParam().scene, threads);
+    expect_same_bytes(one.nodes, many.nodes);
+    expect_same_bytes(one.leaf_triangles, many.leaf_triangles);
+    expect_same_bytes(one.triangles, many.triangles);
+  }
+}
+
+TEST_P(KdTreeBuild, HoldsEveryHittableTriangleWhereItIs) {
+  const Scene& scene = GetParam().scene;
+  const KdTree tree = build(scene);
+  ASSERT_EQ(tree.triangles.size(), hittable_triangles(scene));
+  Random random(1);
+  // Any point of a triangle lies in a leaf that lists the triangle, up to rounding of the point.
+  std::vector<Aabb> reach(tree.triangles.size() * 8);
+  for_each_leaf(tree, 0, tree.bounds, [&](const KdNode& leaf, const Aabb& cell) {
+    for (uint32_t i = 0; i < leaf.count(); ++i) {
+      const KdTriangle& triangle = tree.triangles[tree.leaf_triangles[leaf.first + i]];
+      for (const vec3& corner : {triangle.v0, triangle.v1, triangle.v2})
+        if (glm::all(glm::greaterThanEqual(corner, cell.lo)) && glm::all(glm::lessThanEqual(corner, cell.hi)))
+          reach[tree.leaf_triangles[leaf.first + i]].grow(corner);
+    }
+  });
+  for (size_t i = 0; i < tree.triangles.size(); ++i) {
+    const KdTriangle& triangle = tree.triangles[i];
+    EXPECT_EQ(triangle.v0, scene.vertex(triangle.id, 0));
+    EXPECT_EQ(triangle.v1, scene.vertex(triangle.id, 1));
+    EXPECT_EQ(triangle.v2, scene.vertex(triangle.id, 2));
+    Aabb box;
+    for (const vec3& corner : {triangle.v0, triangle.v1, triangle.v2}) box.grow(corner);
+    EXPECT_EQ(reach[i].lo, box.lo);
+    EXPECT_EQ(reach[i].hi, box.hi);
+  }
+}
+
+TEST_P(KdTreeBuild, KeepsWithinItsBounds) {
+  const KdTree tree = build(GetParam().scene);
+  const KdTreeShape shape = measure_shape(tree);
+  EXPECT_LE(shape.depth, kKdMaxDepth);
+  EXPECT_EQ(shape.references, tree.leaf_triangles.size());
+  EXPECT_LE(memory_bytes(tree), 120 * tree.triangles.size() + sizeof(KdTree) + 16);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, KdTreeBuild, testing::ValuesIn(all_test_scenes()), test_name);
+
+// Large enough for every parallel part of the build.
+TEST(KdTree, LargeTreeIsTheSameForAnyNumberOfThreads) {
+  const Scene scene = random_soup(11, 100000, 0.01f);
+  const KdTree one = build(scene, 1);
+  for (const int threads : {2, 5}) {
+    const KdTree many = build(scene, threads);
+    expect_same_bytes(one.nodes, many.nodes);
+    expect_same_bytes(one.leaf_triangles, many.leaf_triangles);
+    expect_same_bytes(one.triangles, many.triangles);
+  }
+}
+
+TEST(KdTree, MemoryStaysBoundedWhereCutsDoNotHelp) {
+  Random random(12);
+  Scene needles = slivers(12, 20000), bundle, equal;
+  for (int i = 0; i < 3000; ++i) {
+    const vec3 start = random.in_cube(0, 0.2f);
+    add_triangle(bundle, start, start + vec3(1), start + vec3(1.001f, 1, 1));
+  }
+  for (int i = 0; i < 10000; ++i) add_triangle(equal, vec3(0, 0, 0), vec3(1, 0.5f, 0), vec3(0, 1, 1));
+  for (const Scene& scene : {needles, bundle, equal})
+    EXPECT_LE(memory_bytes(build(scene)), 120 * scene.triangle_count());
+}
+
+// Along a diagonal the first cut never pays by itself.
+TEST(KdTree, DiagonalNeedlesAreDivided) {
+  Scene scene;
+  for (int i = 0; i < 1000; ++i) {
+    const vec3 start(0.001f * static_cast<float>(i), 0, 0);
+    add_triangle(scene, start, start + vec3(1), start + vec3(1.0001f, 1, 1));
+  }
+  EXPECT_LT(measure_shape(build(scene)).largest_leaf, scene.triangle_count());
+}
+
+TEST(KdTree, SmallTrianglesEndInSmallLeaves) {
+  const KdTreeShape shape = measure_shape(build(closed_sphere(128, 64)));
+  EXPECT_LE(shape.largest_leaf, 128u);  // 128 triangles meet at each pole
+  EXPECT_LE(shape.references, 4 * 128 * 62 * 2u);
+}
+
+TEST(KdTree, OnlyDegenerateTrianglesMakeAnEmptyTree) {
+  Scene scene;
+  add_triangle(scene, vec3(1), vec3(1), vec3(1));
+  add_triangle(scene, vec3(0), vec3(1), vec3(2));
+  const KdTree tree = build(scene);
+  EXPECT_TRUE(tree.triangles.empty());
+  EXPECT_TRUE(tree.bounds.empty());
+  EXPECT_TRUE(tree.nodes[0].is_leaf());
+}
+
+}  // namespace
+}  // namespace hybridrt
