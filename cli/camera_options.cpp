@@ -1,8 +1,8 @@
 #include "cli/camera_options.h"
 
 #include "cli/option_values.h"
-#include "core/procedural/procedural.h"
 #include "core/load/scene_file.h"
+#include "core/procedural/procedural.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -25,8 +25,7 @@ Camera still_camera(const RenderOptions& o, UpAxis up_axis, const dvec3& middle,
   if (still.eye_world == still.target_world)
     throw error(ErrorKind::usage, "--eye and --target are the same point; move one of them");
   if (still.up == dvec3(0)) throw error(ErrorKind::usage, "--up {}: it must not be zero", o.up);
-  if (up_is_along_view(still))
-    warnings.push_back("the camera looks along its up direction; another up is used");
+  if (up_is_along_view(still)) warnings.push_back("the camera looks along its up direction; another up is used");
   return still;
 }
 

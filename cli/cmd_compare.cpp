@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "core/base/output_file.h"
 #include "core/base/error.h"
+#include "core/base/output_file.h"
 #include "core/image/compare.h"
 #include "core/image/srgb.h"
 #include "core/image_io/encode_image.h"
@@ -34,11 +34,9 @@ void print_table(const CompareResult& result) {
     fmt::print("RMSE                 {:.6g}\n", result.rmse);
     fmt::print("PSNR                 {:.2f} dB\n", result.psnr_db);
     fmt::print("largest error        {:.6g}", result.max_error);
-    if (result.max_error > 0)
-      fmt::print(" at ({}, {}), channel {}", result.max_x, result.max_y, result.max_channel);
+    if (result.max_error > 0) fmt::print(" at ({}, {}), channel {}", result.max_x, result.max_y, result.max_channel);
     fmt::print("\npixels over fail     {} ({:.4g} %)\n", result.pixels_over_fail, result.percent_over_fail());
-    fmt::print("pixels over hard     {} ({:.4g} %)\n", result.pixels_over_hard_fail,
-               result.percent_over_hard_fail());
+    fmt::print("pixels over hard     {} ({:.4g} %)\n", result.pixels_over_hard_fail, result.percent_over_hard_fail());
   }
   if (result.same)
     fmt::print("verdict              same\n");
@@ -48,9 +46,8 @@ void print_table(const CompareResult& result) {
 
 /// Numbers that were not measured are left out; an infinite PSNR is null, JSON having no infinity.
 void print_json(const CompareOptions& options, const CompareResult& result) {
-  nlohmann::ordered_json object = {{"image", options.image},
-                                   {"reference", options.reference},
-                                   {"verdict", result.same ? "same" : "differ"}};
+  nlohmann::ordered_json object = {
+      {"image", options.image}, {"reference", options.reference}, {"verdict", result.same ? "same" : "differ"}};
   if (!result.same) object["reason"] = result.reason;
   if (result.measured) {
     object["mean_abs_error"] = result.mean_abs_error;
@@ -112,17 +109,14 @@ CLI::Validator from_zero_to(double most) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, Command& chosen) {
-  CLI::App* command =
-      app.add_subcommand("compare", "Compare an image with a reference: metrics and a verdict");
+  CLI::App* command = app.add_subcommand("compare", "Compare an image with a reference: metrics and a verdict");
   const auto options = std::make_shared<CompareOptions>();
   command->add_option("IMAGE", options->image, "The image to judge")->required();
   command->add_option("REFERENCE", options->reference, "What it should look like")->required();
-  command
-      ->add_option("--fail", options->limits.fail, "A pixel fails when a channel is off by more (values 0-1)")
+  command->add_option("--fail", options->limits.fail, "A pixel fails when a channel is off by more (values 0-1)")
       ->check(from_zero_to(1e6))
       ->capture_default_str();
-  command
-      ->add_option("--fail-percent", options->limits.fail_percent, "How many percent of the pixels may fail")
+  command->add_option("--fail-percent", options->limits.fail_percent, "How many percent of the pixels may fail")
       ->check(from_zero_to(100))
       ->capture_default_str();
   command->add_option("--hard-fail", options->limits.hard_fail, "No pixel may be off by more")

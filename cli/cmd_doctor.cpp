@@ -1,6 +1,5 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
@@ -29,10 +28,10 @@ ExitCode doctor(bool as_json) {
   std::vector<gl::DeviceInfo> failed;
   const std::vector<gl::ContextInfo> usable = gl::probe_devices(failed);
 
-  json report = {{"version", kVersion},       {"commit", kCommit},
-                 {"compiler", kCompiler},     {"libraries", library_versions()},
+  json report = {{"version", kVersion},           {"commit", kCommit},
+                 {"compiler", kCompiler},         {"libraries", library_versions()},
                  {"processor", processor_name()}, {"threads", allowed_processors()},
-                 {"devices", json::array()},  {"unusable", json::array()}};
+                 {"devices", json::array()},      {"unusable", json::array()}};
   for (const gl::ContextInfo& info : usable) report["devices"].push_back(describe(info));
   for (const gl::DeviceInfo& device : failed)
     report["unusable"].push_back({{"id", device.id}, {"problem", device.problem}});

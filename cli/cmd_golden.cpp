@@ -1,16 +1,15 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <fmt/format.h>
 
 #include "cli/commands.h"
 #include "cli/parse_message.h"
 #include "cli/render_options.h"
 #include "core/base/output_file.h"
+#include "core/base/timing.h"
+#include "core/golden/golden.h"
 #include "core/image_io/encode_image.h"
 #include "core/image_io/read_image.h"
-#include "core/golden/golden.h"
-#include "core/base/timing.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -57,7 +56,8 @@ RenderJob make_case_job(const GoldenCase& golden) {
 
 Image picture_of(const RenderJob& job) {
   Image picture;
-  run(job, [](const RunFacts&) {}, [] { return false; }, [&](Frame&& frame) { picture = std::move(frame.picture); });
+  run(
+      job, [](const RunFacts&) {}, [] { return false; }, [&](Frame&& frame) { picture = std::move(frame.picture); });
   return picture;
 }
 
@@ -78,7 +78,8 @@ GoldenResult check(const GoldenList& list, const GoldenCase& golden, const fs::p
     result.actual = actual;
     const fs::path expected = list.expected(golden);
     if (!fs::exists(expected))
-      throw error(ErrorKind::input, "{} is missing; 'hybridrt golden update {}' makes it", expected.string(), golden.name);
+      throw error(ErrorKind::input, "{} is missing; 'hybridrt golden update {}' makes it", expected.string(),
+                  golden.name);
     result.expected = expected;
     const Image a = read_image(actual), b = read_image(expected);
     result.compared = compare_images(a, b, golden.limits);
@@ -139,7 +140,8 @@ ExitCode update_all(const GoldenOptions& options) {
 }  // namespace
 
 void add_golden_command(CLI::App& app, Command& chosen) {
-  CLI::App* golden = app.add_subcommand("golden", "Render a list of cases and compare them with their expected pictures");
+  CLI::App* golden =
+      app.add_subcommand("golden", "Render a list of cases and compare them with their expected pictures");
   golden->require_subcommand(1);
   auto options = std::make_shared<GoldenOptions>();
   const auto add = [&](const char* name, const char* what, ExitCode (*action)(const GoldenOptions&)) {

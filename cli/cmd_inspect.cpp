@@ -31,8 +31,8 @@ ExitCode inspect(const RenderOptions& options, bool as_json) {
                                  job.threads, job.frames.count());
 
   using Handler = nlohmann::ordered_json::error_handler_t;
-  fmt::print("{}", as_json ? inspection_json(found).dump(2, ' ', false, Handler::replace) + "\n"
-                           : inspection_text(found));
+  fmt::print("{}",
+             as_json ? inspection_json(found).dump(2, ' ', false, Handler::replace) + "\n" : inspection_text(found));
   return ExitCode::ok;
 }
 

@@ -1,7 +1,6 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
@@ -12,14 +11,14 @@
 #include "cli/run_report.h"
 #include "cli/version.h"
 #include "core/base/output_file.h"
+#include "core/base/timing.h"
 #include "core/image/contact_sheet.h"
 #include "core/image_io/encode_image.h"
+#include "core/mesh/topology_warnings.h"
 #include "core/render/aov.h"
 #include "core/render/file_sink.h"
 #include "core/render/fingerprint.h"
 #include "core/render/timings_csv.h"
-#include "core/mesh/topology_warnings.h"
-#include "core/base/timing.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -37,15 +36,20 @@ class Reporter {
 
   void warnings(const Warnings& all) {
     for (const std::string& warning : all)
-      if (json_) emit({{"event", "warning"}, {"message", warning}});
-      else progress_.say("hybridrt: warning: " + warning);
+      if (json_)
+        emit({{"event", "warning"}, {"message", warning}});
+      else
+        progress_.say("hybridrt: warning: " + warning);
   }
 
   void start(const RenderOptions& render, const RenderJob& job, const RunFacts& facts) {
     const std::string renderer = facts.gl ? facts.gl->renderer : "no GL";
     if (json_)
-      emit({{"event", "start"}, {"scene", render.scene}, {"triangles", job.scene.triangle_count()},
-            {"frames", job.frames.count()}, {"renderer", renderer}});
+      emit({{"event", "start"},
+            {"scene", render.scene},
+            {"triangles", job.scene.triangle_count()},
+            {"frames", job.frames.count()},
+            {"renderer", renderer}});
     else if (verbose_)
       progress_.say(fmt::format("{}: {} triangles, {}; {}, ready after {:.0f} ms", render.scene,
                                 job.scene.triangle_count(), settings_line(job.settings), renderer, facts.ready_ms));
@@ -66,7 +70,9 @@ class Reporter {
 
   void end(const RunTotals& totals, bool stopped) {
     if (json_)
-      emit({{"event", "end"}, {"frames", totals.frames}, {"stopped", stopped},
+      emit({{"event", "end"},
+            {"frames", totals.frames},
+            {"stopped", stopped},
             {"frames_per_second", totals.frames_per_second()}});
   }
 
@@ -82,7 +88,8 @@ class Reporter {
 /// Small copies of evenly spaced frames for the contact sheet.
 class SheetCollector {
  public:
-  explicit SheetCollector(int64_t frames) : step_(std::max<int64_t>(1, (frames + kMostSheetCells - 1) / kMostSheetCells)) {}
+  explicit SheetCollector(int64_t frames)
+      : step_(std::max<int64_t>(1, (frames + kMostSheetCells - 1) / kMostSheetCells)) {}
   void add(const Image& picture) {
     if (seen_++ % step_ != 0) return;
     const int height = std::max(1, picture.height_px * kSheetCell_px / picture.width_px);
@@ -144,7 +151,8 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
         timings.add(frame, static_cast<int>(layered ? 1 : 1 + frame.aovs.size()));
         if (!output.contact_sheet.empty()) sheet.add(frame.picture);
         reporter.frame(frame, path);
-        if (layered) frame.picture.layers = std::move(frame.aovs);
+        if (layered)
+          frame.picture.layers = std::move(frame.aovs);
         else
           for (const ImageLayer& aov : frame.aovs)
             sink.submit(output_path(paths.pattern, number, aov.name),
@@ -158,10 +166,11 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   totals.drain_ms = draining.elapsed_ms();
   timings.finish();
   totals.sum[PassId::write] = timings.written_ms();
-  if (!output.contact_sheet.empty() && totals.frames > 0)
-    sink.submit(output.contact_sheet, sheet.sheet());
+  if (!output.contact_sheet.empty() && totals.frames > 0) sink.submit(output.contact_sheet, sheet.sheet());
   sink.drain();
-  write_file_atomically(paths.report, run_report(options, job, facts, totals, warnings).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  write_file_atomically(
+      paths.report,
+      run_report(options, job, facts, totals, warnings).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 
   reporter.end(totals, stop_requested());
   if (!output.json && !output.quiet && paths.timings != "-") {
@@ -182,11 +191,17 @@ void add_render_command(CLI::App& app, Command& chosen) {
 
   const char* group = "Output";
   command->add_option("-o,--output", output->pattern, "Images, like out/name.####.png (default out/SCENENAME.####.png)")
-      ->type_name("PATTERN")->group(group);
-  command->add_option("--timings", output->timings, "CSV of each frame's pass times (default: beside the images; - is "
-                      "standard output)")->type_name("FILE")->group(group);
+      ->type_name("PATTERN")
+      ->group(group);
+  command
+      ->add_option("--timings", output->timings,
+                   "CSV of each frame's pass times (default: beside the images; - is "
+                   "standard output)")
+      ->type_name("FILE")
+      ->group(group);
   command->add_option("--contact-sheet", output->contact_sheet, "Also write one picture of up to 20 frames")
-      ->type_name("FILE")->group(group);
+      ->type_name("FILE")
+      ->group(group);
   command->add_flag("--json", output->json, "One JSON object a line on standard output for every event")->group(group);
   command->add_flag("-q,--quiet", output->quiet, "Only errors and warnings")->group(group);
   command->add_flag("-v,--verbose", output->verbose, "A line for every frame")->group(group);

@@ -7,8 +7,8 @@
 
 #include "cli/commands.h"
 #include "core/load/obj_writer.h"
-#include "core/procedural/procedural.h"
 #include "core/load/scene_json_writer.h"
+#include "core/procedural/procedural.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -55,12 +55,10 @@ void add_scene_command(CLI::App& app, Command& chosen) {
   const auto arguments = std::make_shared<SceneArguments>();
   scene->add_option("NAME", arguments->name, "which one")->required()->check(CLI::IsMember(names()));
   scene->add_option("--triangles", arguments->options.triangles, about_triangles());
-  scene->add_option(
-      "--reflective", arguments->options.reflective_percent,
-      "percent of the connected components that are mirrors, all else opaque and matt (spheres: 10 % "
-      "of the balls; chess and thin without it: as designed)");
-  scene->add_option("-o,--output", arguments->output,
-                    "the .obj file (default: NAME.obj); the others beside it");
+  scene->add_option("--reflective", arguments->options.reflective_percent,
+                    "percent of the connected components that are mirrors, all else opaque and matt (spheres: 10 % "
+                    "of the balls; chess and thin without it: as designed)");
+  scene->add_option("-o,--output", arguments->output, "the .obj file (default: NAME.obj); the others beside it");
   scene->callback([arguments, &chosen] { chosen = [arguments] { return write_scene(*arguments); }; });
 }
 

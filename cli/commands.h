@@ -1,8 +1,8 @@
 #pragma once
 
-#include "cli/exit_codes.h"
-
 #include <functional>
+
+#include "cli/exit_codes.h"
 
 namespace CLI {
 class App;

@@ -67,9 +67,8 @@ json frame_json(const Inspection& in) {
   const Camera camera = camera_at(in.job.motion, in.plan.number);
   json lights = json::array();
   for (const DirectionalLight& light : in.plan.lights)
-    lights.push_back({{"toward", array_of(light.toward)},
-                      {"color", array_of(light.color)},
-                      {"casts_shadow", light.casts_shadow}});
+    lights.push_back(
+        {{"toward", array_of(light.toward)}, {"color", array_of(light.color)}, {"casts_shadow", light.casts_shadow}});
   json steps = json::array();
   for (const StepNote& note : in.steps)
     steps.push_back({{"step", note.step}, {"runs", name_of(note.runs)}, {"why", note.why}});
@@ -94,37 +93,37 @@ json inspection_json(const Inspection& in) {
   const dvec3 lo(scene.bounds.lo), hi(scene.bounds.hi);
   const bool limited = in.job.most_bytes < std::numeric_limits<uint64_t>::max();
   const json allowed = limited ? json(in.job.most_bytes) : json();
-  return {{"scene", in.scene},
-          {"files", scene.files},
-          {"triangles", scene.triangle_count()},
-          {"vertices", scene.positions.size()},
-          {"normals",
-           {{"given_corners", 3 * scene.triangle_count() - scene.built_normal_corners},
-            {"built_corners", scene.built_normal_corners}}},
-          {"textures",
-           {{"bytes", scene.textures ? 4 * scene.textures->words.size() : 0}, {"holes", scene.has_holes()}}},
-          {"bounds", {{"lo", array_of(scene.origin_world + lo)}, {"hi", array_of(scene.origin_world + hi)}}},
-          {"extent", array_of(hi - lo)},
-          {"origin_world", array_of(scene.origin_world)},
-          {"warnings", in.warnings},
-          {"components", components_json(t)},
-          {"edges",
-           {{"count", t.edges.size()},
-            {"boundary", t.boundary_edges},
-            {"inconsistent", t.inconsistent_edges},
-            {"non_manifold", t.non_manifold_edges}}},
-          {"materials", materials_json(in)},
-          {"memory_bytes",
-           {{"scene", in.memory.scene},
-            {"gpu_scene", in.memory.gpu_scene},
-            {"gpu_frames", in.memory.gpu_frames},
-            {"frames", in.memory.frames},
-            {"pictures", in.memory.pictures},
-            {"accelerator", in.memory.accelerator},
-            {"topology", memory_bytes(t)},
-            {"total", in.memory.total()},
-            {"allowed", allowed}}},
-          {"frame", frame_json(in)}};
+  return {
+      {"scene", in.scene},
+      {"files", scene.files},
+      {"triangles", scene.triangle_count()},
+      {"vertices", scene.positions.size()},
+      {"normals",
+       {{"given_corners", 3 * scene.triangle_count() - scene.built_normal_corners},
+        {"built_corners", scene.built_normal_corners}}},
+      {"textures", {{"bytes", scene.textures ? 4 * scene.textures->words.size() : 0}, {"holes", scene.has_holes()}}},
+      {"bounds", {{"lo", array_of(scene.origin_world + lo)}, {"hi", array_of(scene.origin_world + hi)}}},
+      {"extent", array_of(hi - lo)},
+      {"origin_world", array_of(scene.origin_world)},
+      {"warnings", in.warnings},
+      {"components", components_json(t)},
+      {"edges",
+       {{"count", t.edges.size()},
+        {"boundary", t.boundary_edges},
+        {"inconsistent", t.inconsistent_edges},
+        {"non_manifold", t.non_manifold_edges}}},
+      {"materials", materials_json(in)},
+      {"memory_bytes",
+       {{"scene", in.memory.scene},
+        {"gpu_scene", in.memory.gpu_scene},
+        {"gpu_frames", in.memory.gpu_frames},
+        {"frames", in.memory.frames},
+        {"pictures", in.memory.pictures},
+        {"accelerator", in.memory.accelerator},
+        {"topology", memory_bytes(t)},
+        {"total", in.memory.total()},
+        {"allowed", allowed}}},
+      {"frame", frame_json(in)}};
 }
 
 std::string_view kind_of(const Material& m) {
@@ -148,12 +147,9 @@ std::vector<uint32_t> largest_components(const Topology& topology, size_t most) 
 
 std::string_view name_of(Winding winding) {
   switch (winding) {
-    case Winding::none:
-      return "none";
-    case Winding::outward:
-      return "outward";
-    case Winding::inward:
-      return "inward";
+    case Winding::none: return "none";
+    case Winding::outward: return "outward";
+    case Winding::inward: return "inward";
   }
   return "?";
 }

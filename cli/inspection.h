@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "cli/render_options.h"
+#include "core/mesh/topology.h"
 #include "core/render/memory_estimate.h"
 #include "core/render/plan_notes.h"
-#include "core/mesh/topology.h"
 
 namespace hybridrt::cli {
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <limits>
 
 #include "cli/inspection.h"
@@ -26,15 +25,13 @@ std::string point(const Vector& v) {
 
 /// One number when all three are equal.
 std::string color(const vec3& c) {
-  return c.x == c.y && c.y == c.z ? fmt::format("{:.3g}", c.x)
-                                  : fmt::format("{:.3g} {:.3g} {:.3g}", c.x, c.y, c.z);
+  return c.x == c.y && c.y == c.z ? fmt::format("{:.3g}", c.x) : fmt::format("{:.3g} {:.3g} {:.3g}", c.x, c.y, c.z);
 }
 
 /// A name from a file, safe for a terminal: printable, and not endless. Cut between whole characters.
 std::string shown(std::string_view name) {
   std::string text;
-  for (char c : name.substr(0, kMostNameBytes))
-    text += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  for (char c : name.substr(0, kMostNameBytes)) text += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
   if (name.size() > kMostNameBytes) {
     while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
     if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xC0) text.pop_back();
@@ -53,12 +50,11 @@ std::string loaded_text(const Inspection& in) {
   out += fmt::format("  {:<12}{}\n", "triangles", grouped(scene.triangle_count()));
   out += fmt::format("  {:<12}{}\n", "vertices", grouped(scene.positions.size()));
   out += fmt::format("  {:<12}{}\n", "normals",
-                     built == 0         ? "given"
-                     : built == corners ? "built from the faces; none given"
-                                        : fmt::format("given at {} corners, built at {}",
-                                                      grouped(corners - built), grouped(built)));
-  out += fmt::format("  {:<12}{}  to  {}\n", "bounds", point(scene.origin_world + lo),
-                     point(scene.origin_world + hi));
+                     built == 0 ? "given"
+                     : built == corners
+                         ? "built from the faces; none given"
+                         : fmt::format("given at {} corners, built at {}", grouped(corners - built), grouped(built)));
+  out += fmt::format("  {:<12}{}  to  {}\n", "bounds", point(scene.origin_world + lo), point(scene.origin_world + hi));
   out += fmt::format("  {:<12}{}\n", "extent", point(hi - lo));
   if (scene.textures)
     out += fmt::format("  {:<12}{}{}\n", "textures", size_text(4 * scene.textures->words.size()),
@@ -78,8 +74,7 @@ std::string warnings_text(const Warnings& warnings) {
 std::string state_of(const Component& c) {
   if (c.degenerate) return "without area";
   if (c.closed())
-    return c.winding == Winding::none ? "closed, without volume"
-                                      : fmt::format("closed, wound {}", name_of(c.winding));
+    return c.winding == Winding::none ? "closed, without volume" : fmt::format("closed, wound {}", name_of(c.winding));
   std::vector<std::string> why;
   if (c.boundary_edges > 0) why.push_back(grouped(c.boundary_edges) + " boundary");
   if (c.inconsistent_edges > 0) why.push_back(grouped(c.inconsistent_edges) + " inconsistent");
@@ -93,13 +88,12 @@ std::string topology_text(const Topology& t) {
   std::string out = fmt::format("\ncomponents    {}: {} closed, {} open\n", grouped(t.components.size()),
                                 grouped(closed), grouped(t.components.size() - closed));
   for (uint32_t i : largest_components(t, kMostComponents))
-    out += fmt::format("  {:>12} triangles  {}\n", grouped(t.components[i].triangles),
-                       state_of(t.components[i]));
+    out += fmt::format("  {:>12} triangles  {}\n", grouped(t.components[i].triangles), state_of(t.components[i]));
   if (t.components.size() > kMostComponents)
     out += fmt::format("  {:>12} more, smaller or equal\n", grouped(t.components.size() - kMostComponents));
-  out += fmt::format("edges         {}: {} boundary, {} inconsistently wound, {} non-manifold\n",
-                     grouped(t.edges.size()), grouped(t.boundary_edges), grouped(t.inconsistent_edges),
-                     grouped(t.non_manifold_edges));
+  out +=
+      fmt::format("edges         {}: {} boundary, {} inconsistently wound, {} non-manifold\n", grouped(t.edges.size()),
+                  grouped(t.boundary_edges), grouped(t.inconsistent_edges), grouped(t.non_manifold_edges));
   return out;
 }
 
@@ -107,17 +101,16 @@ std::string materials_text(const Inspection& in) {
   const std::vector<Material>& materials = in.job.scene.materials;
   const size_t rows = std::min(materials.size(), kMostMaterials);
   size_t width = 4;
-  for (size_t i = 0; i < rows; ++i)
-    width = std::max(width, fmt::formatted_size("{:}", shown(materials[i].name)));
+  for (size_t i = 0; i < rows; ++i) width = std::max(width, fmt::formatted_size("{:}", shown(materials[i].name)));
   width = std::min<size_t>(width, 32);
   std::string out = fmt::format("\nmaterials     {}\n", materials.size());
-  out += fmt::format("  {:<{}} {:>11}  {:<12}{:>5}  {:<18}{:<18}{:>6} {:>6} {:>6}\n", "name", width,
-                     "triangles", "kind", "illum", "Kd", "Ks", "Ns", "d", "Ni");
+  out += fmt::format("  {:<{}} {:>11}  {:<12}{:>5}  {:<18}{:<18}{:>6} {:>6} {:>6}\n", "name", width, "triangles",
+                     "kind", "illum", "Kd", "Ks", "Ns", "d", "Ni");
   for (size_t i = 0; i < rows; ++i) {
     const Material& m = materials[i];
-    out += fmt::format("  {:<{}} {:>11}  {:<12}{:>5}  {:<18}{:<18}{:>6.4g} {:>6.3g} {:>6.4g}", shown(m.name),
-                       width, grouped(in.material_triangles[i]), kind_of(m), m.illum, color(m.kd),
-                       color(m.ks), m.ns, m.opacity, m.ni);
+    out += fmt::format("  {:<{}} {:>11}  {:<12}{:>5}  {:<18}{:<18}{:>6.4g} {:>6.3g} {:>6.4g}", shown(m.name), width,
+                       grouped(in.material_triangles[i]), kind_of(m), m.illum, color(m.kd), color(m.ks), m.ns,
+                       m.opacity, m.ni);
     if (m.ke != vec3(0)) out += "  Ke " + color(m.ke);
     if (m.transmissive() && m.tf != vec3(1)) out += "  Tf " + color(m.tf);
     out += "\n";
@@ -148,8 +141,8 @@ std::string frame_text(const Inspection& in) {
   const Camera camera = camera_at(in.job.motion, in.plan.number);
   const int64_t frames = in.job.frames.count();
   std::string out = fmt::format("\nframe {}{}: {} x {}, method {}, shadows {}\n", in.plan.number,
-                                frames > 1 ? fmt::format(", the first of {}", grouped(frames)) : "",
-                                s.width_px, s.height_px, name_of(s.method), name_of(s.shadows));
+                                frames > 1 ? fmt::format(", the first of {}", grouped(frames)) : "", s.width_px,
+                                s.height_px, name_of(s.method), name_of(s.shadows));
   out += fmt::format("  {:<22}{}{}\n", "eye", point(camera.eye_world),
                      std::holds_alternative<Orbit>(in.job.motion.course) ? ", on an orbit" : "");
   out += fmt::format("  {:<22}{}\n", "target", point(camera.target_world));

@@ -1,8 +1,7 @@
 #include "cli/interrupt.h"
 
-#include <unistd.h>
-
 #include <csignal>
+#include <unistd.h>
 
 namespace hybridrt::cli {
 namespace {

@@ -1,8 +1,8 @@
 #include "cli/light_options.h"
 
-#include "cli/option_values.h"
-
 #include <algorithm>
+
+#include "cli/option_values.h"
 
 namespace hybridrt::cli {
 

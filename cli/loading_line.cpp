@@ -1,15 +1,14 @@
 #include "cli/loading_line.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <filesystem>
+#include <fmt/format.h>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <unistd.h>
 
 namespace hybridrt::cli {
 namespace {
@@ -63,8 +62,7 @@ class LoadingLine {
 RenderJob load_showing_progress(const RenderOptions& options, Warnings& warnings, bool quiet) {
   LoadProgress progress;
   std::optional<LoadingLine> line;
-  if (!quiet && isatty(STDERR_FILENO))
-    line.emplace(std::filesystem::path(options.scene).filename().string(), progress);
+  if (!quiet && isatty(STDERR_FILENO)) line.emplace(std::filesystem::path(options.scene).filename().string(), progress);
   return make_render_job(options, warnings, &progress);
 }
 

@@ -1,15 +1,14 @@
 // The command table, the only catch, the exit codes.
 
+#include <CLI/CLI.hpp>
+#include <clocale>
+#include <fmt/core.h>
+#include <new>
+
 #include "cli/commands.h"
 #include "cli/parse_message.h"
 #include "cli/version.h"
 #include "core/base/error.h"
-
-#include <CLI/CLI.hpp>
-#include <fmt/core.h>
-
-#include <clocale>
-#include <new>
 
 namespace hybridrt::cli {
 

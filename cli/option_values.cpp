@@ -1,11 +1,11 @@
 #include "cli/option_values.h"
 
-#include "core/base/memory.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+
+#include "core/base/memory.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -26,8 +26,8 @@ dvec3 parse_vector(const char* option, const std::string& text) {
   const size_t first = text.find(','), second = text.find(',', first + 1);
   const std::string_view whole = text;
   if (first == std::string::npos || second == std::string::npos || !parse_number(whole.substr(0, first), v.x) ||
-      !parse_number(whole.substr(first + 1, second - first - 1), v.y) ||
-      !parse_number(whole.substr(second + 1), v.z) || !all_finite(v))
+      !parse_number(whole.substr(first + 1, second - first - 1), v.y) || !parse_number(whole.substr(second + 1), v.z) ||
+      !all_finite(v))
     throw error(ErrorKind::usage, "{} {}: write three numbers, like 1,2.5,-3", option, text);
   return v;
 }
@@ -88,7 +88,8 @@ uint64_t parse_max_memory(const std::string& text) {
     if (rest == "B" || rest == "iB") rest = {};
   }
   if (status != std::errc() || !rest.empty() || !(bytes >= 1 && bytes < 1e18))
-    throw error(ErrorKind::usage, "--max-memory {}: write a number with K, M, G or T behind it, like 8G, or none", text);
+    throw error(ErrorKind::usage, "--max-memory {}: write a number with K, M, G or T behind it, like 8G, or none",
+                text);
   return static_cast<uint64_t>(bytes);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/base/error.h"
-#include "core/render/settings.h"
-
 #include <functional>
 #include <map>
 #include <string>
+
+#include "core/base/error.h"
+#include "core/render/settings.h"
 
 namespace hybridrt::cli {
 
@@ -44,8 +44,7 @@ std::function<void(const std::string&)> by_name(const char* option, const std::m
                                                 Value& out) {
   return [option, &table, &out](const std::string& text) {
     const auto found = table.find(text);
-    if (found == table.end())
-      throw error(ErrorKind::usage, "{} {}: not known; one of {}", option, text, names(table));
+    if (found == table.end()) throw error(ErrorKind::usage, "{} {}: not known; one of {}", option, text, names(table));
     out = found->second;
   };
 }

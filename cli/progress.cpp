@@ -1,10 +1,9 @@
 #include "cli/progress.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <unistd.h>
 
 namespace hybridrt::cli {
 namespace {
@@ -30,8 +29,8 @@ Progress::~Progress() {
 std::string Progress::text() const {
   const double seconds = running_.elapsed_ms() * 1e-3;
   const double rate = static_cast<double>(done_) / std::max(seconds, 1e-9);
-  const std::string left = done_ < frames_ ? duration(static_cast<double>(frames_ - done_) / rate) + " left"
-                                           : "in " + duration(seconds);
+  const std::string left =
+      done_ < frames_ ? duration(static_cast<double>(frames_ - done_) / rate) + " left" : "in " + duration(seconds);
   return fmt::format("frame {}/{}  {:.2f} frames/s  {}", done_, frames_, rate, left);
 }
 

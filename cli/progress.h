@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/timing.h"
-
 #include <cstdint>
 #include <string>
+
+#include "core/base/timing.h"
 
 namespace hybridrt::cli {
 

@@ -4,17 +4,20 @@
 #include "cli/light_options.h"
 #include "cli/option_values.h"
 #include "core/image_io/read_image.h"
-#include "core/render/memory_estimate.h"
 #include "core/load/loading_bytes.h"
-#include "core/procedural/procedural.h"
 #include "core/load/scene_file.h"
 #include "core/load/scene_source.h"
+#include "core/procedural/procedural.h"
+#include "core/render/memory_estimate.h"
 
 namespace hybridrt::cli {
 namespace {
 
-const std::map<std::string, ShadowMode> kShadows = {
-    {"none", ShadowMode::none}, {"map", ShadowMode::map}, {"blur", ShadowMode::blur}, {"exact", ShadowMode::exact}, {"rays", ShadowMode::rays}};
+const std::map<std::string, ShadowMode> kShadows = {{"none", ShadowMode::none},
+                                                    {"map", ShadowMode::map},
+                                                    {"blur", ShadowMode::blur},
+                                                    {"exact", ShadowMode::exact},
+                                                    {"rays", ShadowMode::rays}};
 
 std::optional<UpAxis> parse_up_axis(const RenderOptions& o) {
   if (o.up_axis.empty()) return std::nullopt;
@@ -42,8 +45,7 @@ RenderSettings make_settings(const RenderOptions& o) {
   if (!o.shadows.empty()) by_name("--shadows", kShadows, s.shadows)(o.shadows);
   require_method_takes(s.method, s.shadows);
   require_range("--blur-kernel", o.blur_kernel, 1, 31);
-  if (o.blur_kernel % 2 == 0)
-    throw error(ErrorKind::usage, "--blur-kernel {}: it must be odd, 1 to 31", o.blur_kernel);
+  if (o.blur_kernel % 2 == 0) throw error(ErrorKind::usage, "--blur-kernel {}: it must be odd, 1 to 31", o.blur_kernel);
   require_range("--shadow-map", o.shadow_map, 1, kLargestSide_px);
   require_range("--reflection-depth", o.reflection_depth, 0, 64);
   require_range("--samples", o.samples, 1, 4096);
@@ -81,9 +83,10 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings,
 
   ThreadPool pool(job.threads);
   job.scene = load_scene(o.scene, pool, warnings, up_axis, {job.most_bytes, progress, read_texels});
-  require_room_for_scene(o.scene, estimate_memory(job.scene, make_scene_facts(job.scene), job.settings, job.accel,
-                                                  light_count(o, lights), /*light_moves=*/true, job.threads,
-                                                  job.frames.count()).total(),
+  require_room_for_scene(o.scene,
+                         estimate_memory(job.scene, make_scene_facts(job.scene), job.settings, job.accel,
+                                         light_count(o, lights), /*light_moves=*/true, job.threads, job.frames.count())
+                             .total(),
                          job.most_bytes);
   job.motion.sequence = make_sequence(o, job.frames);
   Surroundings surroundings = Surroundings::outside;

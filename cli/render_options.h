@@ -1,14 +1,14 @@
 #pragma once
 
-#include "core/base/parallel.h"
-#include "core/base/warnings.h"
-#include "core/render/render_job.h"
-#include "core/load/load_watch.h"
-
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "core/base/parallel.h"
+#include "core/base/warnings.h"
+#include "core/load/load_watch.h"
+#include "core/render/render_job.h"
 
 namespace CLI {
 class App;
@@ -53,8 +53,8 @@ RenderSettings make_settings(const RenderOptions& options);
 /// nothing. Throws Error(input) naming the file for settings that no render option is or takes.
 RenderOptions with_scene_settings(const RenderOptions& options);
 
-/// Reads the scene and turns the options, as with_scene_settings() has them, into a job. Throws Error(usage) for values that cannot be,
-/// Error(input) for the scene. `progress` is told how far reading it is.
+/// Reads the scene and turns the options, as with_scene_settings() has them, into a job. Throws Error(usage) for values
+/// that cannot be, Error(input) for the scene. `progress` is told how far reading it is.
 RenderJob make_render_job(const RenderOptions& options, Warnings& warnings, LoadProgress* progress = nullptr);
 
 }  // namespace hybridrt::cli

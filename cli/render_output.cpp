@@ -1,11 +1,11 @@
 #include "cli/render_output.h"
 
+#include <fmt/format.h>
+
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/output_claims.h"
-
-#include <fmt/format.h>
 
 namespace hybridrt::cli {
 namespace {
@@ -50,9 +50,10 @@ void claim_all(const OutputOptions& options, const RenderJob& job, OutputPaths& 
   const Answer answer = claim_frames(claims, paths.pattern, job.frames);
   require_free(answer == Answer::taken, pictures);
   if (answer == Answer::unknown)
-    warnings.push_back(fmt::format("{} is on a file system without locks: another run that writes the same files "
-                                   "would not be noticed",
-                                   common_folder(paths.pattern).string()));
+    warnings.push_back(
+        fmt::format("{} is on a file system without locks: another run that writes the same files "
+                    "would not be noticed",
+                    common_folder(paths.pattern).string()));
   if (!options.contact_sheet.empty()) require_free(is_taken(claims, options.contact_sheet), options.contact_sheet);
   if (!options.timings.empty()) require_free(is_taken(claims, options.timings), options.timings);
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "cli/render_options.h"
 #include "core/base/file_claims.h"
 #include "core/render/output_pattern.h"
-
-#include <filesystem>
-#include <string>
 
 namespace hybridrt::cli {
 

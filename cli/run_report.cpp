@@ -1,11 +1,10 @@
 #include "cli/run_report.h"
 
-#include <fmt/format.h>
-#include <sys/resource.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include "cli/version.h"
 
@@ -51,18 +50,22 @@ std::string settings_line(const RenderSettings& s) {
   std::string line = fmt::format("{}x{} method {} shadows {} reflection-depth {}", s.width_px, s.height_px,
                                  name_of(s.method), name_of(s.shadows), s.reflection_depth);
   if (s.samples > 1) line += fmt::format(" samples {}", s.samples);
-  if (s.crop)
-    line += fmt::format(" crop {},{},{},{}", s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px);
+  if (s.crop) line += fmt::format(" crop {},{},{},{}", s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px);
   if (uses_shadow_map(s)) line += fmt::format(" shadow-map {} {}", s.shadow_map_px, name_of(s.shadow_warp));
   if (s.shadows == ShadowMode::blur) line += fmt::format(" blur-kernel {}", s.blur_kernel_px);
   return line;
 }
 
 std::string summary_table(const RenderJob& job, const RunTotals& totals) {
-  static constexpr const char* kWhat[] = {
-      "1 shadow map",        "2 triangle ids + shadow test", "3 boundary marking", "  readback",
-      "4 rays on the CPU",   "  upload",                     "5 shading",          "  download",
-      "  encoding + writing (beside the rest)"};
+  static constexpr const char* kWhat[] = {"1 shadow map",
+                                          "2 triangle ids + shadow test",
+                                          "3 boundary marking",
+                                          "  readback",
+                                          "4 rays on the CPU",
+                                          "  upload",
+                                          "5 shading",
+                                          "  download",
+                                          "  encoding + writing (beside the rest)"};
   std::string out = fmt::format("\n{:<40} {:>12}\n", "pass", "ms a frame");
   for (size_t i = 0; i < totals.sum.pass_ms.size(); ++i)
     out += fmt::format("{:<40} {:>12.2f}\n", kWhat[i], per_frame(totals.sum.pass_ms[i], totals));
@@ -73,7 +76,8 @@ std::string summary_table(const RenderJob& job, const RunTotals& totals) {
   const PixelRect picture = picture_rect(job.settings);
   const int64_t primary = totals.frames * picture.width_px * picture.height_px;
   out += fmt::format("{:<26} {:>12} {:>12}\n", "rays", "fired", "saved");
-  out += fmt::format("{:<26} {:>12} {:>12}\n", "primary", rays(rasterised ? 0 : primary), rays(rasterised ? primary : 0));
+  out +=
+      fmt::format("{:<26} {:>12} {:>12}\n", "primary", rays(rasterised ? 0 : primary), rays(rasterised ? primary : 0));
   const auto& lights = job.lights.lights;
   const auto casts = [](const DirectionalLight& light) { return light.casts_shadow; };
   const int64_t casting = std::count_if(lights.begin(), lights.end(), casts);
@@ -91,24 +95,24 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
                                   const RunTotals& totals, const Warnings& warnings) {
   using json = nlohmann::ordered_json;
   const RenderSettings& s = job.settings;
-  json report = {{"version", kVersion}, {"commit", kCommit}, {"compiler", kCompiler}, {"libraries", library_versions()}};
-  report["scene"] = {{"source", options.scene},
-                     {"triangles", job.scene.triangle_count()},
-                     {"materials", job.scene.materials.size()}};
-  report["settings"] = {{"frames", options.frames},
-                        {"sequence", {job.motion.sequence.first, job.motion.sequence.last}},
-                        {"width", s.width_px},
-                        {"height", s.height_px},
-                        {"crop", s.crop ? json{s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px}
-                                        : json(nullptr)},
-                        {"method", name_of(s.method)},
-                        {"shadows", name_of(s.shadows)},
-                        {"blur_kernel", s.blur_kernel_px},
-                        {"shadow_map", s.shadow_map_px},
-                        {"shadow_warp", name_of(s.shadow_warp)},
-                        {"reflection_depth", s.reflection_depth},
-                        {"samples", s.samples},
-                        {"frames_in_flight", s.frames_in_flight}};
+  json report = {
+      {"version", kVersion}, {"commit", kCommit}, {"compiler", kCompiler}, {"libraries", library_versions()}};
+  report["scene"] = {
+      {"source", options.scene}, {"triangles", job.scene.triangle_count()}, {"materials", job.scene.materials.size()}};
+  report["settings"] = {
+      {"frames", options.frames},
+      {"sequence", {job.motion.sequence.first, job.motion.sequence.last}},
+      {"width", s.width_px},
+      {"height", s.height_px},
+      {"crop", s.crop ? json{s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px} : json(nullptr)},
+      {"method", name_of(s.method)},
+      {"shadows", name_of(s.shadows)},
+      {"blur_kernel", s.blur_kernel_px},
+      {"shadow_map", s.shadow_map_px},
+      {"shadow_warp", name_of(s.shadow_warp)},
+      {"reflection_depth", s.reflection_depth},
+      {"samples", s.samples},
+      {"frames_in_flight", s.frames_in_flight}};
   report["gl"] = facts.gl ? json{{"device", facts.gl->device},
                                  {"binding", facts.gl->binding},
                                  {"renderer", facts.gl->renderer},

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-
 #include <string>
 
 #include "cli/render_options.h"
@@ -14,9 +13,9 @@ struct RunTotals {
   int64_t frames = 0;
   FrameTimings sum;
   TraceStats stats;
-  double load_ms = 0;      ///< reading the scene
-  double rendering_ms = 0; ///< from the scene being ready to the last frame's download
-  double drain_ms = 0;     ///< writing left after that
+  double load_ms = 0;       ///< reading the scene
+  double rendering_ms = 0;  ///< from the scene being ready to the last frame's download
+  double drain_ms = 0;      ///< writing left after that
 
   void add(const Frame& frame);
   double frames_per_second() const;

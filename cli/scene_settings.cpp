@@ -1,11 +1,10 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
 #include "cli/parse_message.h"
 #include "cli/render_options.h"
 #include "core/base/error.h"
 #include "core/load/scene_file.h"
-
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 
 namespace hybridrt::cli {
 

@@ -1,9 +1,8 @@
 #include "cli/version.h"
 
+#include <CLI/CLI.hpp>
 #include <embree3/rtcore.h>
 #include <fmt/core.h>
-
-#include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 

@@ -51,7 +51,8 @@ Attempt try_lock(int descriptor, int64_t start, int64_t length) {
 
 /// Whether `path` still names the file that is open: the last run may have removed it in between.
 bool is_at(int descriptor, const fs::path& path) {
-  struct stat open {}, named {};
+  struct stat open {
+  }, named{};
   return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
          open.st_dev == named.st_dev;
 }

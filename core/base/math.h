@@ -1,9 +1,8 @@
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include <cmath>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <limits>
 
 namespace hybridrt {
@@ -57,8 +56,6 @@ struct Aabb {
   void grow(const Aabb& box) { lo = glm::min(lo, box.lo), hi = glm::max(hi, box.hi); }
 };
 
-inline bool all_finite(const dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+inline bool all_finite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace hybridrt

@@ -1,12 +1,11 @@
 #include "core/base/memory.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdint>
+#include <fmt/format.h>
 #include <fstream>
 #include <limits>
+#include <unistd.h>
 
 namespace hybridrt {
 namespace {

@@ -45,7 +45,7 @@ class OutputFile {
   void sync_folder();
   [[noreturn]] void fail(const char* step, int reason) const;
 
-  const std::filesystem::path path_;           ///< as the caller named it
+  const std::filesystem::path path_;          ///< as the caller named it
   std::filesystem::path target_, temporary_;  ///< no temporary: `target_` is written straight
   int descriptor_ = -1;
   std::string buffer_;

@@ -1,12 +1,11 @@
 #include "core/base/parallel.h"
 
-#include "core/base/check.h"
-
-#include <sched.h>
-
 #include <cmath>
 #include <fstream>
+#include <sched.h>
 #include <string>
+
+#include "core/base/check.h"
 
 namespace hybridrt {
 namespace {

@@ -7,9 +7,7 @@ namespace hybridrt {
 /// Wall-clock milliseconds since construction or the last restart.
 class Stopwatch {
  public:
-  double elapsed_ms() const {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-  }
+  double elapsed_ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
   void restart() { start_ = Clock::now(); }
 
  private:

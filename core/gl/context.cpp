@@ -1,9 +1,9 @@
 #include "core/gl/context.h"
 
+#include <cstdlib>
+
 #include "core/base/error.h"
 #include "core/gl/context_backends.h"
-
-#include <cstdlib>
 
 namespace hybridrt::gl {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/gl/functions.h"
-
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "core/gl/functions.h"
 
 namespace hybridrt::gl {
 
@@ -20,12 +20,12 @@ struct ContextRequest {
 
 /// Facts about an open context.
 struct ContextInfo {
-  std::string device;    ///< id: "egl:0", "surfaceless", "osmesa"
-  std::string binding;   ///< "EGL device", "EGL surfaceless", "OSMesa"
+  std::string device;   ///< id: "egl:0", "surfaceless", "osmesa"
+  std::string binding;  ///< "EGL device", "EGL surfaceless", "OSMesa"
   std::string vendor, renderer, version;
   bool software = false;
-  int max_texture_px = 0;         ///< GL_MAX_TEXTURE_SIZE
-  int max_buffer_texels = 0;      ///< GL_MAX_TEXTURE_BUFFER_SIZE
+  int max_texture_px = 0;     ///< GL_MAX_TEXTURE_SIZE
+  int max_buffer_texels = 0;  ///< GL_MAX_TEXTURE_BUFFER_SIZE
 };
 
 /// What a device is before a context is opened on it; `problem` says why it cannot be used.

@@ -7,7 +7,6 @@
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-
 #include <algorithm>
 #include <cstring>
 
@@ -68,10 +67,15 @@ class EglContext final : public Context {
     EGLint major = 0, minor = 0;
     if (!egl_.Initialize(display_, &major, &minor)) fail("eglInitialize");
     if (!egl_.BindAPI(EGL_OPENGL_API)) fail("eglBindAPI(OpenGL)");
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 5,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
 #ifdef HYBRIDRT_GL_DEBUG
-                                 EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE,
+                                 EGL_CONTEXT_OPENGL_DEBUG,
+                                 EGL_TRUE,
 #endif
                                  EGL_NONE};
     context_ = egl_.CreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);

@@ -6,8 +6,8 @@ namespace hybridrt::gl {
 
 Functions load_functions(const std::function<void*(const char*)>& get_proc_address) {
   Functions gl;
-#define HRT_GL_LOAD(TYPE, NAME)                                                        \
-  gl.NAME = reinterpret_cast<PFNGL##TYPE##PROC>(get_proc_address("gl" #NAME));         \
+#define HRT_GL_LOAD(TYPE, NAME)                                                \
+  gl.NAME = reinterpret_cast<PFNGL##TYPE##PROC>(get_proc_address("gl" #NAME)); \
   if (!gl.NAME) throw error(ErrorKind::device, "the driver lacks gl{}, part of OpenGL 4.5", #NAME);
   HRT_GL_FUNCTIONS(HRT_GL_LOAD)
 #undef HRT_GL_LOAD

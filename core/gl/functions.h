@@ -1,10 +1,10 @@
 #pragma once
 
 #include <GL/glcorearb.h>
-
 #include <functional>
 
 // Every OpenGL entry point that the project calls; glNAME becomes Functions::NAME.
+// clang-format off
 #define HRT_GL_FUNCTIONS(X)                                                                        \
   X(GETSTRING, GetString) X(GETINTEGERV, GetIntegerv) X(GETERROR, GetError)                        \
   X(ENABLE, Enable) X(DISABLE, Disable) X(DEPTHFUNC, DepthFunc) X(DEPTHMASK, DepthMask)            \
@@ -45,6 +45,7 @@
   X(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                                                      \
   X(FENCESYNC, FenceSync) X(CLIENTWAITSYNC, ClientWaitSync) X(DELETESYNC, DeleteSync)              \
   X(OBJECTLABEL, ObjectLabel) X(DEBUGMESSAGECALLBACK, DebugMessageCallback)
+// clang-format on
 
 namespace hybridrt::gl {
 

@@ -1,7 +1,7 @@
+#include <cstdio>
+
 #include "core/base/error.h"
 #include "core/gl/context_backends.h"
-
-#include <cstdio>
 
 namespace hybridrt::gl {
 namespace {
@@ -24,8 +24,7 @@ int integer(const Functions& gl, GLenum name) {
 }
 
 #ifdef HYBRIDRT_GL_DEBUG
-void APIENTRY print_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
-                            const void*) {
+void APIENTRY print_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message, const void*) {
   if (type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH)
     std::fprintf(stderr, "OpenGL: %s\n", message);  // glGetError at the pass's end throws
 }

@@ -1,8 +1,8 @@
 #include "core/gl/objects.h"
 
-#include "core/base/error.h"
-
 #include <algorithm>
+
+#include "core/base/error.h"
 
 namespace hybridrt::gl {
 namespace {
@@ -71,8 +71,7 @@ Framebuffer::Framebuffer(const Functions& gl, const Texture* color, const Textur
     throw error(ErrorKind::device, "the driver refuses the framebuffer '{}' (status 0x{:04X})", label, status);
 }
 
-VertexArray::VertexArray(const Functions& gl, const Buffer& positions, const Buffer& indices,
-                         const std::string& label)
+VertexArray::VertexArray(const Functions& gl, const Buffer& positions, const Buffer& indices, const std::string& label)
     : Handle(gl, create(gl.CreateVertexArrays)) {
   set_label(gl, GL_VERTEX_ARRAY, id_, label);
   gl.VertexArrayVertexBuffer(id_, 0, positions.id(), 0, 3 * sizeof(float));
@@ -82,8 +81,7 @@ VertexArray::VertexArray(const Functions& gl, const Buffer& positions, const Buf
   gl.VertexArrayAttribBinding(id_, 0, 0);
 }
 
-VertexArray::VertexArray(const Functions& gl, const std::string& label)
-    : Handle(gl, create(gl.CreateVertexArrays)) {
+VertexArray::VertexArray(const Functions& gl, const std::string& label) : Handle(gl, create(gl.CreateVertexArrays)) {
   set_label(gl, GL_VERTEX_ARRAY, id_, label);
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/gl/functions.h"
-
 #include <cstddef>
 #include <string>
 #include <utility>
+
+#include "core/gl/functions.h"
 
 namespace hybridrt::gl {
 

@@ -20,8 +20,8 @@ using GetProcAddress = void* (*)(const char* name);
 class OsmesaContext final : public Context {
  public:
   OsmesaContext() {
-    const int attributes[] = {kOsmesaFormat, GL_RGBA, kOsmesaProfile, kOsmesaCoreProfile, kOsmesaMajor, 4,
-                              kOsmesaMinor, 5, 0};
+    const int attributes[] = {
+        kOsmesaFormat, GL_RGBA, kOsmesaProfile, kOsmesaCoreProfile, kOsmesaMajor, 4, kOsmesaMinor, 5, 0};
     context_ = create_(attributes, nullptr);
     if (!context_) throw Error(ErrorKind::device, "OSMesa cannot make an OpenGL 4.5 core context");
     if (!make_current_(context_, screen_, GL_UNSIGNED_BYTE, kScreenSize_px, kScreenSize_px)) {

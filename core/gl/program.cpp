@@ -1,14 +1,14 @@
 #include "core/gl/program.h"
 
-#include "core/base/check.h"
-#include "core/base/error.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
+
+#include "core/base/check.h"
+#include "core/base/error.h"
 
 namespace hybridrt::gl {
 namespace {

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/base/math.h"
-#include "core/gl/functions.h"
-
 #include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
+
+#include "core/base/math.h"
+#include "core/gl/functions.h"
 
 namespace hybridrt::gl {
 

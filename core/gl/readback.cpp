@@ -1,8 +1,8 @@
 #include "core/gl/readback.h"
 
-#include "core/base/error.h"
-
 #include <algorithm>
+
+#include "core/base/error.h"
 
 namespace hybridrt::gl {
 namespace {
@@ -19,8 +19,8 @@ bool untouched(const unsigned char* bytes) {
 Readback::Readback(const Functions& gl, size_t bytes, const std::string& label)
     : gl_(&gl),
       label_(label),
-      buffer_(gl, bytes, nullptr,
-              GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT | GL_CLIENT_STORAGE_BIT, label) {
+      buffer_(gl, bytes, nullptr, GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT | GL_CLIENT_STORAGE_BIT,
+              label) {
   mapped_ = static_cast<const unsigned char*>(
       gl.MapNamedBufferRange(buffer_.id(), 0, static_cast<GLsizeiptr>(std::max<size_t>(bytes, 4)),
                              GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT));

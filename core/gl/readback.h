@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/gl/objects.h"
-
 #include <memory>
 #include <string>
+
+#include "core/gl/objects.h"
 
 namespace hybridrt::gl {
 

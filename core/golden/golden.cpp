@@ -14,11 +14,13 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 GoldenCase parse_case(const json& entry, const fs::path& list) {
-  static const std::set<std::string> kKeys = {"name", "scene", "options", "fail", "fail_percent", "hard_fail", "reason"};
+  static const std::set<std::string> kKeys = {"name",         "scene",     "options", "fail",
+                                              "fail_percent", "hard_fail", "reason"};
   GoldenCase golden;
   golden.name = entry.at("name").get<std::string>();
   for (const auto& [key, value] : entry.items())
-    if (!kKeys.contains(key)) throw error(ErrorKind::input, "{}: case '{}': unknown key '{}'", list.string(), golden.name, key);
+    if (!kKeys.contains(key))
+      throw error(ErrorKind::input, "{}: case '{}': unknown key '{}'", list.string(), golden.name, key);
   golden.scene = entry.at("scene").get<std::string>();
   golden.options = entry.value("options", std::vector<std::string>{});
   golden.limits.fail = entry.value("fail", golden.limits.fail);
@@ -26,11 +28,13 @@ GoldenCase parse_case(const json& entry, const fs::path& list) {
   golden.limits.hard_fail = entry.value("hard_fail", golden.limits.hard_fail);
   golden.reason = entry.at("reason").get<std::string>();
   const CompareLimits& l = golden.limits;
-  if (!(l.fail >= 0 && l.fail <= 1 && l.hard_fail >= 0 && l.hard_fail <= 1 && l.fail_percent >= 0 && l.fail_percent <= 100))
+  if (!(l.fail >= 0 && l.fail <= 1 && l.hard_fail >= 0 && l.hard_fail <= 1 && l.fail_percent >= 0 &&
+        l.fail_percent <= 100))
     throw error(ErrorKind::input, "{}: case '{}': fail and hard_fail are 0 to 1, fail_percent 0 to 100", list.string(),
                 golden.name);
   if (golden.name.empty() || golden.name.find('/') != std::string::npos)
-    throw error(ErrorKind::input, "{}: '{}' cannot be a case's name; it becomes a file name", list.string(), golden.name);
+    throw error(ErrorKind::input, "{}: '{}' cannot be a case's name; it becomes a file name", list.string(),
+                golden.name);
   return golden;
 }
 

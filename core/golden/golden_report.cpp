@@ -1,5 +1,4 @@
 #include <algorithm>
-
 #include <fmt/format.h>
 
 #include "core/golden/golden.h"
@@ -12,11 +11,16 @@ namespace fs = std::filesystem;
 std::string escaped(const std::string& text) {
   std::string out;
   for (char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '"') out += "&quot;";
-    else out += c;
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
   }
   return out;
 }
@@ -41,12 +45,12 @@ std::string golden_html(std::span<const GoldenResult> results, const fs::path& p
   for (const GoldenResult& result : results) {
     std::string options;
     for (const std::string& option : result.golden.options) options += " " + option;
-    page += fmt::format("<section class=\"{0}\"><h2>{1}: {0}</h2>\n<p>{2}</p>\n<p><code>{3}{4}</code><br>"
-                        "limits {5}, {6} %, {7}: {8}</p>\n",
-                        result.passed() ? "passed" : "failed", escaped(result.golden.name), escaped(result.verdict()),
-                        escaped(result.golden.scene), escaped(options), result.golden.limits.fail,
-                        result.golden.limits.fail_percent, result.golden.limits.hard_fail,
-                        escaped(result.golden.reason));
+    page += fmt::format(
+        "<section class=\"{0}\"><h2>{1}: {0}</h2>\n<p>{2}</p>\n<p><code>{3}{4}</code><br>"
+        "limits {5}, {6} %, {7}: {8}</p>\n",
+        result.passed() ? "passed" : "failed", escaped(result.golden.name), escaped(result.verdict()),
+        escaped(result.golden.scene), escaped(options), result.golden.limits.fail, result.golden.limits.fail_percent,
+        result.golden.limits.hard_fail, escaped(result.golden.reason));
     page += figure("expected", result.expected, page_folder) + figure("actual", result.actual, page_folder) +
             figure("difference, amplified", result.difference, page_folder) + "</section>\n";
   }
@@ -55,13 +59,14 @@ std::string golden_html(std::span<const GoldenResult> results, const fs::path& p
 
 std::string golden_junit(std::span<const GoldenResult> results) {
   const auto failed = std::count_if(results.begin(), results.end(), [](const GoldenResult& r) { return !r.passed(); });
-  std::string xml = fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                                "<testsuite name=\"golden\" tests=\"{}\" failures=\"{}\">\n", results.size(), failed);
+  std::string xml = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"golden\" tests=\"{}\" failures=\"{}\">\n",
+      results.size(), failed);
   for (const GoldenResult& result : results) {
     xml += fmt::format("  <testcase classname=\"golden\" name=\"{}\" time=\"{:.3f}\"", escaped(result.golden.name),
                        result.seconds);
-    xml += result.passed() ? "/>\n"
-                           : fmt::format("><failure message=\"{}\"/></testcase>\n", escaped(result.verdict()));
+    xml += result.passed() ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", escaped(result.verdict()));
   }
   return xml + "</testsuite>\n";
 }

@@ -19,16 +19,15 @@ std::string incomparable(const Image& image, const Image& reference) {
     return fmt::format("the image has {} channels, the reference {}", image.channels, reference.channels);
   for (const auto& [name, which] : {std::pair{"image", &image}, std::pair{"reference", &reference}})
     if (const NonFinite at = find_non_finite(*which); at.found)
-      return fmt::format("the {} has a value that is not finite at pixel ({}, {}), channel {}", name, at.x,
-                         at.y, at.channel);
+      return fmt::format("the {} has a value that is not finite at pixel ({}, {}), channel {}", name, at.x, at.y,
+                         at.channel);
   return "";
 }
 
 }  // namespace
 
 NonFinite find_non_finite(const Image& image) {
-  const auto bad =
-      std::find_if(image.data.begin(), image.data.end(), [](float v) { return !std::isfinite(v); });
+  const auto bad = std::find_if(image.data.begin(), image.data.end(), [](float v) { return !std::isfinite(v); });
   if (bad == image.data.end()) return {};
   const size_t index = static_cast<size_t>(bad - image.data.begin());
   const size_t pixel = index / image.channels;
@@ -68,9 +67,9 @@ CompareResult compare_images(const Image& image, const Image& reference, const C
   result.psnr_db = result.rmse > 0 ? -20 * std::log10(result.rmse) : std::numeric_limits<double>::infinity();
 
   if (result.pixels_over_hard_fail > 0)
-    result.reason = fmt::format(
-        "{} pixels are off by more than the hard limit {}, the worst by {:.4g} at ({}, {})",
-        result.pixels_over_hard_fail, limits.hard_fail, result.max_error, result.max_x, result.max_y);
+    result.reason =
+        fmt::format("{} pixels are off by more than the hard limit {}, the worst by {:.4g} at ({}, {})",
+                    result.pixels_over_hard_fail, limits.hard_fail, result.max_error, result.max_x, result.max_y);
   else if (result.percent_over_fail() > limits.fail_percent)
     result.reason = fmt::format("{:.4g} % of the pixels are off by more than {}, {} % are allowed",
                                 result.percent_over_fail(), limits.fail, limits.fail_percent);

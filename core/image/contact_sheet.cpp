@@ -60,16 +60,14 @@ Image contact_sheet(std::span<const Image> images, int columns, int cell_width_p
   for (const Image& image : images) {
     HRT_CHECK(image.width_px > 0 && image.channels > 0);
     const double height = static_cast<double>(cell_width_px) * image.height_px / image.width_px;
-    thumbnails.push_back(
-        box_filtered(image, cell_width_px, std::max(1, static_cast<int>(std::lround(height)))));
+    thumbnails.push_back(box_filtered(image, cell_width_px, std::max(1, static_cast<int>(std::lround(height)))));
     cell_height_px = std::max(cell_height_px, thumbnails.back().height_px);
   }
 
   const int count = static_cast<int>(images.size());
   columns = std::min(columns, count);
   const int rows = (count + columns - 1) / columns;
-  Image sheet(columns * (cell_width_px + kGapPx) + kGapPx, rows * (cell_height_px + kGapPx) + kGapPx, 3,
-              kBackground);
+  Image sheet(columns * (cell_width_px + kGapPx) + kGapPx, rows * (cell_height_px + kGapPx) + kGapPx, 3, kBackground);
   for (int i = 0; i < count; ++i) {
     const Image& thumbnail = thumbnails[i];
     const int left = kGapPx + i % columns * (cell_width_px + kGapPx);

@@ -32,9 +32,7 @@ struct CodeTable {
       code_at_lower_edge[key - kFirst] = static_cast<uint8_t>(rounds_to(std::bit_cast<float>(key << kShift)));
   }
 
-  static int rounds_to(float linear) {
-    return static_cast<int>(std::floor(srgb_from_linear(linear) * 255 + 0.5));
-  }
+  static int rounds_to(float linear) { return static_cast<int>(std::floor(srgb_from_linear(linear) * 255 + 0.5)); }
 };
 
 const CodeTable& code_table() {
@@ -45,8 +43,7 @@ const CodeTable& code_table() {
 uint8_t look_up(const CodeTable& table, float linear) {
   if (!(linear >= 0x1p-13f)) return 0;
   if (linear >= 1) return 255;
-  const uint8_t code =
-      table.code_at_lower_edge[(std::bit_cast<uint32_t>(linear) >> table.kShift) - table.kFirst];
+  const uint8_t code = table.code_at_lower_edge[(std::bit_cast<uint32_t>(linear) >> table.kShift) - table.kFirst];
   return static_cast<uint8_t>(code + (linear >= table.first_of_code[code + 1]));
 }
 

@@ -45,8 +45,7 @@ Output create_writer(const std::string& format_or_name) {
 
 Output require_writer(const std::string& format_or_name) {
   if (Output writer = create_writer(format_or_name)) return writer;
-  throw error(ErrorKind::usage,
-              "{}: no picture format that can be written; use .png, .exr, .jpg, .tif, .hdr or .bmp",
+  throw error(ErrorKind::usage, "{}: no picture format that can be written; use .png, .exr, .jpg, .tif, .hdr or .bmp",
               format_or_name);
 }
 
@@ -78,10 +77,8 @@ std::string description(const ImageMetadata& metadata) {
   return text;
 }
 
-OIIO::ImageSpec make_spec(const Image& image, std::string_view format, bool is_float,
-                          const ImageMetadata& metadata) {
-  OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels,
-                       is_float ? OIIO::TypeFloat : OIIO::TypeUInt8);
+OIIO::ImageSpec make_spec(const Image& image, std::string_view format, bool is_float, const ImageMetadata& metadata) {
+  OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, is_float ? OIIO::TypeFloat : OIIO::TypeUInt8);
   if (!metadata.empty()) spec.attribute("ImageDescription", description(metadata));
   spec.attribute("oiio:UnassociatedAlpha", 1);  // ours is not premultiplied: leave the colours alone
   // A DateTime that is no string: the writers see that there is one, do not add the current time, and then
@@ -123,8 +120,10 @@ std::vector<uint32_t> interleaved_with_layers(const Image& image) {
     };
     add(image.data, static_cast<size_t>(image.channels));
     for (const ImageLayer& layer : image.layers)
-      if (layer.numbers.empty()) add(layer.values, layer.channels.size());
-      else add(layer.numbers, layer.channels.size());
+      if (layer.numbers.empty())
+        add(layer.values, layer.channels.size());
+      else
+        add(layer.numbers, layer.channels.size());
   }
   return words;
 }
@@ -157,8 +156,7 @@ std::vector<unsigned char> encode_image(const Image& linear, const std::string& 
 
   const Output writer = require_writer(format_or_name);
   const std::string format = writer->format_name();
-  if (linear.pixel_count() == 0)
-    throw error(ErrorKind::output, "{}: the picture has no pixels", format_or_name);
+  if (linear.pixel_count() == 0) throw error(ErrorKind::output, "{}: the picture has no pixels", format_or_name);
   if (const NonFinite at = find_non_finite(linear); at.found)
     throw error(ErrorKind::output,
                 "{}: not written: pixel ({}, {}), channel {} is not a finite number; look for "
@@ -185,7 +183,7 @@ std::vector<unsigned char> encode_image(const Image& linear, const std::string& 
   const bool written =
       writer->open(file_name, spec) && (layered    ? writer->write_image(OIIO::TypeUnknown, words.data())
                                         : is_float ? writer->write_image(OIIO::TypeFloat, image.data.data())
-                                                 : writer->write_image(OIIO::TypeUInt8, codes.data()));
+                                                   : writer->write_image(OIIO::TypeUInt8, codes.data()));
   if (!writer->close() || !written)
     throw error(ErrorKind::output, "{}: cannot be encoded: {}; choose another format or size", format_or_name,
                 one_line(writer->geterror()));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <filesystem>
 #include <string>
 #include <vector>
 

@@ -45,7 +45,8 @@ std::string png_fault(const std::filesystem::path& path) {
     return static_cast<bool>(file.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count)));
   };
   unsigned char head[8];
-  if (!read(head, 8) || !std::equal(head, head + 8, reinterpret_cast<const unsigned char*>(kSignature.data()))) return "";
+  if (!read(head, 8) || !std::equal(head, head + 8, reinterpret_cast<const unsigned char*>(kSignature.data())))
+    return "";
 
   std::vector<unsigned char> block(size_t{1} << 16);
   for (;;) {  // a chunk: length, type, contents, checksum of type and contents

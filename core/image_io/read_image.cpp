@@ -36,14 +36,12 @@ void require_regular_file(const fs::path& path) {
 
 void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {
   if (spec.deep || spec.depth > 1)
-    throw error(ErrorKind::input, "{}: deep and volume images are not supported; flatten it first",
-                path.string());
+    throw error(ErrorKind::input, "{}: deep and volume images are not supported; flatten it first", path.string());
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
     throw error(ErrorKind::input, "{}: holds no pixels; write the image again", path.string());
   if (spec.width > kMaxImageSidePx || spec.height > kMaxImageSidePx ||
       static_cast<double>(spec.width) * spec.height > kMaxImagePixels || spec.nchannels > 1024)
-    throw error(ErrorKind::input,
-                "{}: {}x{} pixels with {} channels is too large; at most {} on a side and {} in all",
+    throw error(ErrorKind::input, "{}: {}x{} pixels with {} channels is too large; at most {} on a side and {} in all",
                 path.string(), spec.width, spec.height, spec.nchannels, kMaxImageSidePx, kMaxImagePixels);
 }
 
@@ -80,9 +78,8 @@ Input open_image(const fs::path& path) {
   std::string problem;
   Input input = find_reader(path, problem);
   if (!input)
-    throw error(ErrorKind::input,
-                "{}: not a readable image: {}; use a whole PNG, JPEG, EXR, TIFF or the like", path.string(),
-                problem.empty() ? "unknown format" : problem);
+    throw error(ErrorKind::input, "{}: not a readable image: {}; use a whole PNG, JPEG, EXR, TIFF or the like",
+                path.string(), problem.empty() ? "unknown format" : problem);
   input->threads(1);
   require_size(path, input->spec());
   return input;
@@ -104,8 +101,8 @@ Image read_pixels(const fs::path& path, OIIO::ImageInput& input) {
                                           : input.read_scanlines(0, 0, spec.y + y, spec.y + y + rows, 0, 0,
                                                                  spec.nchannels, OIIO::TypeFloat, target);
     if (!read)
-      throw error(ErrorKind::input, "{}: broken image, row {} and on: {}; write or copy it again",
-                  path.string(), y, one_line(input.geterror()));
+      throw error(ErrorKind::input, "{}: broken image, row {} and on: {}; write or copy it again", path.string(), y,
+                  one_line(input.geterror()));
   }
   return image;
 }
@@ -136,11 +133,10 @@ TexelImage read_codes(const fs::path& path, OIIO::ImageInput& input) {
     if (floats) linear = Image(spec.width, rows, channels);
     void* const target = floats ? static_cast<void*>(linear.data.data()) : codes.data();
     const OIIO::TypeDesc type = floats ? OIIO::TypeFloat : OIIO::TypeUInt8;
-    const bool read =
-        spec.tile_width > 0
-            ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + y + rows, spec.z, spec.z + 1, 0,
-                               channels, type, target)
-            : input.read_scanlines(0, 0, spec.y + y, spec.y + y + rows, 0, 0, channels, type, target);
+    const bool read = spec.tile_width > 0
+                          ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + y + rows, spec.z,
+                                             spec.z + 1, 0, channels, type, target)
+                          : input.read_scanlines(0, 0, spec.y + y, spec.y + y + rows, 0, 0, channels, type, target);
     if (!read)
       throw error(ErrorKind::input, "{}: broken image, row {} and on: {}; write or copy it again", path.string(), y,
                   one_line(input.geterror()));

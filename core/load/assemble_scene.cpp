@@ -7,19 +7,18 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/base/warnings.h"
 #include "core/load/load_textures.h"
 #include "core/load/mtl_io.h"
-#include "core/mesh/normals.h"
 #include "core/load/text_scan.h"
-#include "core/base/warnings.h"
+#include "core/mesh/normals.h"
 
 namespace hybridrt {
 namespace {
 
 constexpr size_t kGrain = 1 << 16;
-constexpr double kFarFromOrigin = 16;  // times the scene's size
-constexpr double kLargestScene =
-    1e18;  // beyond, squares of lengths leave the range of float; and below 1 / this
+constexpr double kFarFromOrigin = 16;   // times the scene's size
+constexpr double kLargestScene = 1e18;  // beyond, squares of lengths leave the range of float; and below 1 / this
 
 /// Of the vertices that triangles use, in double.
 struct WorldBox {
@@ -64,8 +63,7 @@ void keep_good(std::vector<T>& elements, const std::vector<Fault>& faults) {
   elements.resize(kept);
 }
 
-void leave_out_degenerate(MeshData& mesh, std::span<const vec3> positions, ThreadPool& pool,
-                          Warnings& warnings) {
+void leave_out_degenerate(MeshData& mesh, std::span<const vec3> positions, ThreadPool& pool, Warnings& warnings) {
   std::vector<Fault> faults(mesh.triangle_positions.size());
   parallel_for(pool, faults.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) faults[i] = fault_of(positions, mesh.triangle_positions[i]);
@@ -158,8 +156,7 @@ void take_materials(LoadedMesh& loaded, Scene& scene, Warnings& warnings) {
     by_name.emplace(material.name, first + static_cast<uint32_t>(by_name.size()));
   std::vector<uint32_t> meaning(mesh.material_names.size(), kDefaultMaterial);
   for (size_t i = 1; i < mesh.material_names.size(); ++i)
-    if (const auto known = by_name.find(mesh.material_names[i]); known != by_name.end())
-      meaning[i] = known->second;
+    if (const auto known = by_name.find(mesh.material_names[i]); known != by_name.end()) meaning[i] = known->second;
 
   Tally unknown;
   uint32_t first_unknown = 0;
@@ -216,15 +213,12 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
     grow(box, mesh.data);
     positions += mesh.data.positions.size();
   }
-  const std::string all =
-      meshes.front().data.path.string() + (meshes.size() > 1 ? " and the other meshes" : "");
+  const std::string all = meshes.front().data.path.string() + (meshes.size() > 1 ? " and the other meshes" : "");
   if (positions >= size_t{1} << 31)
-    throw error(ErrorKind::input, "{}: {} vertices are more than the 2147483647 that can be counted", all,
-                positions);
+    throw error(ErrorKind::input, "{}: {} vertices are more than the 2147483647 that can be counted", all, positions);
   const double size = largest(box.hi - box.lo);
   if (size > kLargestScene || (size > 0 && size < 1 / kLargestScene))
-    throw error(ErrorKind::input, "{}: {:g} units across, which single precision cannot render; scale it",
-                all, size);
+    throw error(ErrorKind::input, "{}: {:g} units across, which single precision cannot render; scale it", all, size);
 
   Scene scene;
   for (const LoadedMesh& mesh : meshes) {

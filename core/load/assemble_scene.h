@@ -6,8 +6,8 @@
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
 #include "core/load/load_watch.h"
-#include "core/scene/material.h"
 #include "core/load/mesh_data.h"
+#include "core/scene/material.h"
 #include "core/scene/scene.h"
 
 namespace hybridrt {
@@ -27,7 +27,6 @@ struct LoadedMesh {
 ///    unknown one, the latter with a warning.
 ///  - Textures are read by watch.read_texels (load_textures.h). Texture coordinates are kept only for them.
 /// Throws Error (input): a mesh without a usable face, a scene too large or small for single precision.
-Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings& warnings,
-                     const LoadWatch& watch = {});
+Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings& warnings, const LoadWatch& watch = {});
 
 }  // namespace hybridrt

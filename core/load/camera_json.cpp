@@ -22,10 +22,8 @@ Camera parse_view(const JsonPlace& place, const CameraFileContext& context) {
   Camera camera;
   camera.eye_world = y_up_from_files(context.up, place.at("eye").vector());
   camera.target_world = y_up_from_files(context.up, place.at("target").vector());
-  if (camera.eye_world == camera.target_world)
-    place.fail("eye and target are the same point; move one of them");
-  if (const auto up = place.find("up"))
-    camera.up = glm::normalize(y_up_from_files(context.up, up->direction()));
+  if (camera.eye_world == camera.target_world) place.fail("eye and target are the same point; move one of them");
+  if (const auto up = place.find("up")) camera.up = glm::normalize(y_up_from_files(context.up, up->direction()));
   camera.fov_y_rad = parse_fov(place, context);
   return camera;
 }
@@ -53,9 +51,8 @@ CameraPath parse_keyframes(const JsonPlace& keyframes, const CameraFileContext& 
   }
   if (path.keys.empty()) keyframes.fail("there are no keys; give at least one");
   if (useless_ups > 0)
-    warnings.push_back(
-        fmt::format("{}: {} keys look along their up direction (first: frame {:g}); another up is used",
-                    keyframes.where(), useless_ups, first_useless));
+    warnings.push_back(fmt::format("{}: {} keys look along their up direction (first: frame {:g}); another up is used",
+                                   keyframes.where(), useless_ups, first_useless));
   return path;
 }
 
@@ -86,16 +83,14 @@ Camera parse_camera(const JsonPlace& place, const CameraFileContext& context, Wa
   return camera;
 }
 
-CameraCourse parse_camera_course(const JsonPlace& place, const CameraFileContext& context,
-                                 Warnings& warnings) {
+CameraCourse parse_camera_course(const JsonPlace& place, const CameraFileContext& context, Warnings& warnings) {
   place.only({"keyframes", "orbit"});
   if (place.has("keyframes") == place.has("orbit")) place.fail("give either 'keyframes' or 'orbit'");
   if (place.has("orbit")) return parse_orbit(place.at("orbit"), context);
   return parse_keyframes(place.at("keyframes"), context, warnings);
 }
 
-CameraCourse read_camera_file(const std::filesystem::path& path, const CameraFileContext& context,
-                              Warnings& warnings) {
+CameraCourse read_camera_file(const std::filesystem::path& path, const CameraFileContext& context, Warnings& warnings) {
   const nlohmann::json document = read_json_file(path);
   return parse_camera_course(JsonPlace(document, path.string()), context, warnings);
 }

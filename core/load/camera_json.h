@@ -21,12 +21,10 @@ struct CameraFileContext {
 /// path. Throws Error (input) naming file and place: what read_json_file throws, unknown or missing keys,
 /// numbers that are none or not finite, eye = target, a field of view outside of 0-180, frames not ascending,
 /// no keys. An `up` along the view is counted in one warning; the view takes another one (make_view).
-CameraCourse read_camera_file(const std::filesystem::path& path, const CameraFileContext& context,
-                              Warnings& warnings);
+CameraCourse read_camera_file(const std::filesystem::path& path, const CameraFileContext& context, Warnings& warnings);
 
 /// The same from a value inside another file.
-CameraCourse parse_camera_course(const JsonPlace& place, const CameraFileContext& context,
-                                 Warnings& warnings);
+CameraCourse parse_camera_course(const JsonPlace& place, const CameraFileContext& context, Warnings& warnings);
 
 /// {"eye", "target", "up", "fov_y_deg"}: a still camera.
 Camera parse_camera(const JsonPlace& place, const CameraFileContext& context, Warnings& warnings);

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/load/text_scan.h"
 #include "core/base/warnings.h"
+#include "core/load/text_scan.h"
 
 namespace hybridrt {
 namespace {
@@ -59,8 +59,7 @@ json read_json_file(const std::filesystem::path& path) {
   }
   if (file.bad()) throw error(ErrorKind::input, "{} cannot be read", path.string());
   if (have > kLargestJson)
-    throw error(ErrorKind::input, "{} is larger than {} MiB; is it a JSON file?", path.string(),
-                kLargestJson >> 20);
+    throw error(ErrorKind::input, "{} is larger than {} MiB; is it a JSON file?", path.string(), kLargestJson >> 20);
   text.resize(have);
   try {
     return json::parse(text);
@@ -74,9 +73,7 @@ json read_json_file(const std::filesystem::path& path) {
   }
 }
 
-void JsonPlace::fail(const std::string& problem) const {
-  throw error(ErrorKind::input, "{}: {}", where_, problem);
-}
+void JsonPlace::fail(const std::string& problem) const { throw error(ErrorKind::input, "{}: {}", where_, problem); }
 
 void JsonPlace::only_object() const {
   if (!value_->is_object()) fail("must be an object, like {\"name\": …}");

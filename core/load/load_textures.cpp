@@ -20,7 +20,7 @@ static_assert(static_cast<uint32_t>(MapKind::diffuse) == HRT_MAP_DIFFUSE &&
               static_cast<uint32_t>(MapKind::emitted) == HRT_MAP_EMITTED &&
               static_cast<uint32_t>(MapKind::holes) == HRT_MAP_HOLES);
 
-constexpr size_t kReadTogether = 8;       // bounds what is held beside the words
+constexpr size_t kReadTogether = 8;         // bounds what is held beside the words
 constexpr uint32_t kMostMapSets = 1 << 20;  // the GPU gets their places as floats
 
 /// An image in one of its uses.
@@ -78,10 +78,12 @@ TexelImage checker() {
 void prepare(TextureImage& image, TexelImage&& read) {
   const TextureMap& map = *image.map;
   image.width_px = read.width_px, image.height_px = read.height_px;
-  if (map.kind == MapKind::holes) make_opacity(read, map);
+  if (map.kind == MapKind::holes)
+    make_opacity(read, map);
   else if (map.channel)
     for (uint32_t& texel : read.texels) texel = channel_of(texel, map.channel) * 0x010101u | 0xFF000000u;
-  image.has_holes = std::any_of(read.texels.begin(), read.texels.end(), [](uint32_t texel) { return texel >> 24 < 128; });
+  image.has_holes =
+      std::any_of(read.texels.begin(), read.texels.end(), [](uint32_t texel) { return texel >> 24 < 128; });
   image.texels = std::move(read.texels);
   if (map.kind != MapKind::holes) image.levels = append_mip_levels(image.texels, 0, image.width_px, image.height_px);
 }
@@ -138,8 +140,9 @@ class Loader {
       for (size_t i = begin; i < begin + count; ++i) take(images_[i], most_words);
     }
     if (unreadable_ > 0)
-      warnings_.push_back(fmt::format("{} textures cannot be used: map_Kd becomes a checker, others are left out (first: {})",
-                                      unreadable_, first_failure_));
+      warnings_.push_back(
+          fmt::format("{} textures cannot be used: map_Kd becomes a checker, others are left out (first: {})",
+                      unreadable_, first_failure_));
   }
 
   void read(TextureImage& image, uint64_t most_texels) const {
@@ -241,8 +244,8 @@ class Loader {
         if (corners[corner] == kNoIndex) corners[corner] = zero;
     }
     if (without > 0)
-      warnings_.push_back(
-          fmt::format("{} triangles have a texture but not all of their texture coordinates, which count as 0", without));
+      warnings_.push_back(fmt::format(
+          "{} triangles have a texture but not all of their texture coordinates, which count as 0", without));
   }
 
   Scene& scene_;
@@ -256,7 +259,7 @@ class Loader {
   std::map<Key, size_t> indices_;
   uint32_t sets_ = 0, records_ = 0, next_set_ = 0, next_record_ = 0;
   std::map<uint32_t, bool> any_read_;  ///< of a set of maps: some image is not missing
-  bool any_ = false;  ///< some material has a texture
+  bool any_ = false;                   ///< some material has a texture
   size_t unreadable_ = 0;
   std::string first_failure_;
 };

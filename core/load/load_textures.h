@@ -11,11 +11,13 @@ namespace hybridrt {
 /// Material::texture_maps and scene.files. `textures` brings the texture coordinates; its triangle_texcoords may hold
 /// kNoIndex: such corners are at (0, 0), with a warning. Without any texture nothing is kept.
 ///
-///  - map_Kd that is missing or cannot be read becomes a checker; other maps are then left out. One warning counts those
+///  - map_Kd that is missing or cannot be read becomes a checker; other maps are then left out. One warning counts
+///  those
 ///    that cannot be read. A missing file has had its warning when the MTL was read.
 ///  - Holes come from map_d, else from the alpha of map_Kd, where any texel of it is under one half. map_d takes the
 ///    image's alpha, where there is some, else its brightness.
-///  - A file is read once. No more than kMostTextureWords in all, and a quarter of watch.most_bytes for all: the textures
+///  - A file is read once. No more than kMostTextureWords in all, and a quarter of watch.most_bytes for all: the
+///  textures
 ///    beyond that count as unreadable. The same for any number of threads.
 void load_textures(Scene& scene, Textures&& textures, ThreadPool& pool, Warnings& warnings, const LoadWatch& watch);
 

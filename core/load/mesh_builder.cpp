@@ -24,8 +24,8 @@ void MeshBuilder::fail(size_t place, const std::string& problem) const {
 void MeshBuilder::add_vertex(const dvec3& position, size_t place) {
   for (int axis = 0; axis < 3; ++axis)
     if (!(std::abs(position[axis]) < kLargestCoordinate))
-      throw error(ErrorKind::input, "{}: vertex {}{}: its {} coordinate is not below 1e30",
-                  data.path.string(), data.positions.size(),
+      throw error(ErrorKind::input, "{}: vertex {}{}: its {} coordinate is not below 1e30", data.path.string(),
+                  data.positions.size(),
                   data.place == std::string_view("line") ? fmt::format(" (line {})", place) : std::string(),
                   "xyz"[axis]);
   data.positions.push_back(position);
@@ -33,8 +33,7 @@ void MeshBuilder::add_vertex(const dvec3& position, size_t place) {
 
 uint32_t MeshBuilder::corner(double index, size_t vertices, size_t place) const {
   if (!(index >= 0 && index < static_cast<double>(vertices) && index == std::floor(index)))
-    fail(place,
-         fmt::format("{:.17g} is not the index of a vertex; there are {}, counted from 0", index, vertices));
+    fail(place, fmt::format("{:.17g} is not the index of a vertex; there are {}, counted from 0", index, vertices));
   return static_cast<uint32_t>(index);
 }
 

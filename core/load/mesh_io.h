@@ -41,12 +41,12 @@ enum class MeshFormat { obj, ply, off, stl };
 MeshFormat mesh_format_of(const std::filesystem::path& path);
 
 /// Reads one or several meshes, of any of the formats, into one validated scene with one origin
-/// (assemble_scene). Large OBJs are read one after the other on all threads, the others side by side; warnings come in the meshes' order. Files whose z axis
-/// points up are turned so that y does.
+/// (assemble_scene). Large OBJs are read one after the other on all threads, the others side by side; warnings come in
+/// the meshes' order. Files whose z axis points up are turned so that y does.
 ///
 /// Throws Error (input) before reading any when together they would take more than watch.most_bytes of memory
 /// (loading_bytes.h).
-Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool,
-                  Warnings& warnings, const LoadWatch& watch = {});
+Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool, Warnings& warnings,
+                  const LoadWatch& watch = {});
 
 }  // namespace hybridrt

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/warnings.h"
 #include "core/load/text_lines.h"
 #include "core/load/text_scan.h"
 #include "core/load/texture_name.h"
-#include "core/base/warnings.h"
 
 namespace hybridrt {
 namespace {
@@ -40,8 +40,8 @@ bool take_color(Statement& s, vec3& color) {
 }
 
 bool names_a_texture(std::string_view statement) {
-  return statement.starts_with("map_") || statement == "bump" || statement == "disp" ||
-         statement == "decal" || statement == "refl" || statement == "norm";
+  return statement.starts_with("map_") || statement == "bump" || statement == "disp" || statement == "decal" ||
+         statement == "refl" || statement == "norm";
 }
 
 /// The kind of the maps that are read.
@@ -164,10 +164,10 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
   if (inside) finish_material(reading, materials);
 
   report(tallies.unread_kinds, "texture maps (bump, disp and others) are not read yet", path, warnings);
-  report(tallies.foreign_textures, "texture names lead to other folders; only files beside the MTL are looked for", path,
-         warnings);
-  report(tallies.missing_textures, fmt::format("texture files are missing ({})", in_quotes(tallies.first_missing)), path,
-         warnings);
+  report(tallies.foreign_textures, "texture names lead to other folders; only files beside the MTL are looked for",
+         path, warnings);
+  report(tallies.missing_textures, fmt::format("texture files are missing ({})", in_quotes(tallies.first_missing)),
+         path, warnings);
   report(tallies.foreign_colors, "colours are given as spectral or xyz, which are not read", path, warnings);
   report(tallies.bad_ni, "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
   report(tallies.bad_illum, "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);

@@ -30,8 +30,7 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
 /// one line: one file name with blanks in it, or several. A file that is not where its name says is looked
 /// for by its bare name in `folder`; one that is missing gives a warning. Of materials with the same name
 /// the first is kept. The files read are appended to `files`.
-std::vector<Material> read_libraries(const std::filesystem::path& folder,
-                                     const std::vector<std::string>& libraries,
+std::vector<Material> read_libraries(const std::filesystem::path& folder, const std::vector<std::string>& libraries,
                                      std::vector<std::string>& files, Warnings& warnings);
 
 }  // namespace hybridrt

@@ -2,9 +2,9 @@
 #include <unordered_set>
 
 #include "core/base/error.h"
+#include "core/base/warnings.h"
 #include "core/load/mtl_io.h"
 #include "core/load/text_scan.h"
-#include "core/base/warnings.h"
 
 namespace hybridrt {
 namespace {
@@ -68,9 +68,8 @@ std::vector<Material> read_libraries(const fs::path& folder, const std::vector<s
     files.push_back(path.string());
   }
   if (!missing.empty())
-    warnings.push_back(
-        fmt::format("{} material files are missing (first: {}); their materials are drawn as default",
-                    missing.size(), in_quotes(missing.front())));
+    warnings.push_back(fmt::format("{} material files are missing (first: {}); their materials are drawn as default",
+                                   missing.size(), in_quotes(missing.front())));
 
   std::unordered_set<std::string> names;
   const auto repeated = [&](const Material& material) { return !names.insert(material.name).second; };
@@ -78,9 +77,8 @@ std::vector<Material> read_libraries(const fs::path& folder, const std::vector<s
   const auto end = std::remove_if(materials.begin(), materials.end(), repeated);
   materials.erase(end, materials.end());
   if (materials.size() < before)
-    warnings.push_back(
-        fmt::format("{} materials are defined again under a name that was taken; the first counts",
-                    before - materials.size()));
+    warnings.push_back(fmt::format("{} materials are defined again under a name that was taken; the first counts",
+                                   before - materials.size()));
   return materials;
 }
 

@@ -6,8 +6,8 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
-#include "core/load/text_lines.h"
 #include "core/base/warnings.h"
+#include "core/load/text_lines.h"
 
 namespace hybridrt {
 namespace {
@@ -219,7 +219,8 @@ class ChunkReader {
   [[noreturn]] void fail_corner(const char* p, const char* end) const {
     std::string_view rest(p, static_cast<size_t>(end - p));
     const std::string word = in_quotes(take_word(rest));
-    if (p != end && *p == '/') fail("face {}, corner {}: {} has no vertex index; {}", face(), corners_.size() + 1, word, kMend);
+    if (p != end && *p == '/')
+      fail("face {}, corner {}: {} has no vertex index; {}", face(), corners_.size() + 1, word, kMend);
     fail("face {}, corner {}: {} is not of the form v, v/vt, v//vn or v/vt/vn; {}", face(), corners_.size() + 1, word,
          kMend);
   }

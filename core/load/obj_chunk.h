@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/warnings.h"
 #include "core/load/mesh_data.h"
 #include "core/load/text_scan.h"
-#include "core/base/warnings.h"
 
 namespace hybridrt {
 
@@ -62,9 +62,9 @@ struct ObjChunk {
 ObjCounts count_statements(const std::filesystem::path& path, std::string_view text);
 
 /// Reads chunk.text into the rest of it. Checks every number and index: `v` has three numbers below 1e30; `vn` that
-/// cannot be read is zero, which the caller rebuilds, and so is a `vt`; `f` has corners v, v/vt, v//vn or v/vt/vn, v not 0 and not
-/// before the first vertex; a vt or vn that leads nowhere is left out. What is wrong ends in chunk.failure: Error
-/// (input) naming file and line.
+/// cannot be read is zero, which the caller rebuilds, and so is a `vt`; `f` has corners v, v/vt, v//vn or v/vt/vn, v
+/// not 0 and not before the first vertex; a vt or vn that leads nowhere is left out. What is wrong ends in
+/// chunk.failure: Error (input) naming file and line.
 void read_chunk(const std::filesystem::path& path, ObjChunk& chunk);
 
 }  // namespace hybridrt

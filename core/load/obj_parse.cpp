@@ -6,10 +6,10 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
-#include "core/load/obj_chunk.h"
-#include "core/mesh/polygon.h"
-#include "core/load/text_blocks.h"
 #include "core/base/warnings.h"
+#include "core/load/obj_chunk.h"
+#include "core/load/text_blocks.h"
+#include "core/mesh/polygon.h"
 
 namespace hybridrt {
 namespace {
@@ -70,9 +70,9 @@ class Joined {
  private:
   void take_facts(ObjChunk& chunk);
   template <typename T>
-  void append_array(const std::vector<ObjChunk>& chunks, std::vector<T> MeshData::* array);
+  void append_array(const std::vector<ObjChunk>& chunks, std::vector<T> MeshData::*array);
   void append_materials(const std::vector<ObjChunk>& chunks);
-  void append_optional_indices(const std::vector<ObjChunk>& chunks, std::vector<uvec3> MeshData::* array);
+  void append_optional_indices(const std::vector<ObjChunk>& chunks, std::vector<uvec3> MeshData::*array);
   template <typename T>
   void make_room(std::vector<T>& all, size_t more) const;
 
@@ -82,7 +82,7 @@ class Joined {
   std::unordered_map<std::string, uint32_t> material_ids_;
   uint32_t material_ = 0;
   std::vector<std::vector<uint32_t>> meanings_;  ///< of the chunks' materials
-  ObjChunk waiting_;  ///< only its polygons: they name vertices that come later
+  ObjChunk waiting_;                             ///< only its polygons: they name vertices that come later
   ObjChunk::Ahead farthest_;
   std::vector<ObjChunk::Ahead> texcoords_ahead_, normals_ahead_;
   Tally unread_texcoords_, bad_texcoords_, bad_normals_, small_faces_, unknown_, tangled_;
@@ -98,13 +98,12 @@ void Joined::make_room(std::vector<T>& all, size_t more) const {
 }
 
 template <typename T>
-void Joined::append_array(const std::vector<ObjChunk>& chunks, std::vector<T> MeshData::* array) {
+void Joined::append_array(const std::vector<ObjChunk>& chunks, std::vector<T> MeshData::*array) {
   size_t more = 0;
   for (const ObjChunk& chunk : chunks) more += (chunk.data.*array).size();
   std::vector<T>& all = data_.*array;
   make_room(all, more);
-  for (const ObjChunk& chunk : chunks)
-    all.insert(all.end(), (chunk.data.*array).begin(), (chunk.data.*array).end());
+  for (const ObjChunk& chunk : chunks) all.insert(all.end(), (chunk.data.*array).begin(), (chunk.data.*array).end());
 }
 
 void Joined::append_materials(const std::vector<ObjChunk>& chunks) {
@@ -117,7 +116,7 @@ void Joined::append_materials(const std::vector<ObjChunk>& chunks) {
 }
 
 /// Where a mesh has normals (texture coordinates) at all, each triangle has three indices.
-void Joined::append_optional_indices(const std::vector<ObjChunk>& chunks, std::vector<uvec3> MeshData::* array) {
+void Joined::append_optional_indices(const std::vector<ObjChunk>& chunks, std::vector<uvec3> MeshData::*array) {
   std::vector<uvec3>& all = data_.*array;
   const auto has_some = [&](const ObjChunk& chunk) { return !(chunk.data.*array).empty(); };
   if (all.empty() && std::none_of(chunks.begin(), chunks.end(), has_some)) return;
@@ -137,8 +136,7 @@ void Joined::take_facts(ObjChunk& chunk) {
   std::vector<uint32_t>& meaning = meanings_.emplace_back(std::vector<uint32_t>{material_});
   for (size_t i = 1; i < chunk.data.material_names.size(); ++i) {
     const std::string& name = chunk.data.material_names[i];
-    const auto [entry, is_new] =
-        material_ids_.try_emplace(name, static_cast<uint32_t>(data_.material_names.size()));
+    const auto [entry, is_new] = material_ids_.try_emplace(name, static_cast<uint32_t>(data_.material_names.size()));
     if (is_new) data_.material_names.push_back(name);
     meaning.push_back(entry->second);
   }
@@ -150,7 +148,8 @@ void Joined::take_facts(ObjChunk& chunk) {
   if (chunk.farthest.index > farthest_.index) farthest_ = chunk.farthest;
   texcoords_ahead_.insert(texcoords_ahead_.end(), chunk.texcoords_ahead.begin(), chunk.texcoords_ahead.end());
   normals_ahead_.insert(normals_ahead_.end(), chunk.normals_ahead.begin(), chunk.normals_ahead.end());
-  add(unread_texcoords_, chunk.unread_texcoords), add(bad_texcoords_, chunk.bad_texcoords), add(bad_normals_, chunk.bad_normals);
+  add(unread_texcoords_, chunk.unread_texcoords), add(bad_texcoords_, chunk.bad_texcoords),
+      add(bad_normals_, chunk.bad_normals);
   add(small_faces_, chunk.small_faces), add(unknown_, chunk.unknown);
 }
 
@@ -192,8 +191,8 @@ void Joined::append(std::vector<ObjChunk>& chunks, ThreadPool& pool) {
 MeshData Joined::finish(const ObjCounts& counts, Warnings& warnings) {
   const std::filesystem::path& path = data_.path;
   if (farthest_.index > static_cast<int64_t>(counts.vertices))
-    throw error(ErrorKind::input, "{}:{}: a face uses vertex {}, but the file has {} vertices; is it cut short?", path.string(),
-                farthest_.line, farthest_.index, counts.vertices);
+    throw error(ErrorKind::input, "{}:{}: a face uses vertex {}, but the file has {} vertices; is it cut short?",
+                path.string(), farthest_.line, farthest_.index, counts.vertices);
   for (const ObjChunk::Ahead& ahead : texcoords_ahead_)
     if (ahead.index > static_cast<int64_t>(counts.texcoords)) bad_texcoords_.add(ahead.line);
   for (const ObjChunk::Ahead& ahead : normals_ahead_)

@@ -72,10 +72,7 @@ void write_geometry(const Scene& scene, std::string_view mtl_name, Line line) {
     }
     line.text("f");
     for (int k = 0; k < 3; ++k)
-      line.text(" ")
-          .number(scene.triangle_positions[t][k] + 1)
-          .text("//")
-          .number(scene.triangle_normals[t][k] + 1);
+      line.text(" ").number(scene.triangle_positions[t][k] + 1).text("//").number(scene.triangle_normals[t][k] + 1);
     line.end();
   }
 }

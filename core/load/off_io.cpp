@@ -1,10 +1,10 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/warnings.h"
 #include "core/load/mesh_builder.h"
 #include "core/load/mesh_io.h"
 #include "core/load/text_lines.h"
-#include "core/base/warnings.h"
 
 namespace hybridrt {
 namespace {
@@ -14,8 +14,7 @@ constexpr double kMostCorners = 1 << 20;  // of one polygon
 /// The statements of an OFF file: lines without comments and blank ones.
 class OffLines {
  public:
-  OffLines(const std::filesystem::path& path, const MeshBuilder& mesh)
-      : lines_(path, LineJoin::none), mesh_(mesh) {}
+  OffLines(const std::filesystem::path& path, const MeshBuilder& mesh) : lines_(path, LineJoin::none), mesh_(mesh) {}
 
   void next(const char* expected) {
     for (std::string_view line; lines_.next(line);) {
@@ -67,8 +66,7 @@ OffKind parse_keyword(const MeshBuilder& mesh, std::string_view keyword, size_t 
   if (keyword.starts_with("N")) kind.normals = true, keyword.remove_prefix(1);
   if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
     mesh.fail(place, fmt::format("{} has other than three dimensions", in_quotes(whole)));
-  if (keyword != "OFF")
-    mesh.fail(place, fmt::format("{} is not the keyword OFF: it is no OFF file", in_quotes(whole)));
+  if (keyword != "OFF") mesh.fail(place, fmt::format("{} is not the keyword OFF: it is no OFF file", in_quotes(whole)));
   return kind;
 }
 

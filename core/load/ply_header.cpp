@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/load/text_scan.h"
 #include "core/base/warnings.h"
+#include "core/load/text_scan.h"
 
 namespace hybridrt {
 namespace {
@@ -91,8 +91,8 @@ void require_room(const std::filesystem::path& path, const PlyHeader& header, ui
     const uint64_t least = least_bytes(element, header.format);
     if (element.count > left / least)
       throw error(ErrorKind::input,
-                  "{}: the header promises {} elements '{}' but the file has only {} bytes: cut short?",
-                  path.string(), element.count, element.name, file_bytes);
+                  "{}: the header promises {} elements '{}' but the file has only {} bytes: cut short?", path.string(),
+                  element.count, element.name, file_bytes);
     left -= element.count * least;
   }
 }
@@ -102,15 +102,11 @@ void require_room(const std::filesystem::path& path, const PlyHeader& header, ui
 size_t size_of(PlyType type) {
   switch (type) {
     case PlyType::int8:
-    case PlyType::uint8:
-      return 1;
+    case PlyType::uint8: return 1;
     case PlyType::int16:
-    case PlyType::uint16:
-      return 2;
-    case PlyType::float64:
-      return 8;
-    default:
-      return 4;
+    case PlyType::uint16: return 2;
+    case PlyType::float64: return 8;
+    default: return 4;
   }
 }
 
@@ -159,8 +155,7 @@ PlyHeader read_ply_header(const std::filesystem::path& path) {
   if (!has_format) text.fail("the header does not say its format");
   std::erase_if(header.elements, [](const PlyElement& e) { return e.count == 0; });
   for (const PlyElement& element : header.elements)
-    if (element.properties.empty())
-      text.fail(fmt::format("element {} has no properties", in_quotes(element.name)));
+    if (element.properties.empty()) text.fail(fmt::format("element {} has no properties", in_quotes(element.name)));
   header.bytes = start.size() - text.rest.size();
   header.lines = text.line;
   require_room(path, header, file_bytes);

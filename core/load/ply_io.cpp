@@ -10,17 +10,14 @@ namespace {
 
 constexpr double kMostListed = 1 << 20;  // corners of one polygon, numbers of any other list
 
-bool is_color(std::string_view property) {
-  return property == "red" || property == "r" || property == "diffuse_red";
-}
+bool is_color(std::string_view property) { return property == "red" || property == "r" || property == "diffuse_red"; }
 
 /// The length of the list that comes next.
 template <typename Values>
 size_t list_length(Values& values, const PlyProperty& property, const MeshBuilder& mesh, uint64_t index) {
   const double count = values.next(property.count_type);
   if (!(count >= 0 && count <= kMostListed && count == std::floor(count)))
-    mesh.fail(values.place(index),
-              fmt::format("a list of {:g} numbers; allowed are 0 to {}", count, kMostListed));
+    mesh.fail(values.place(index), fmt::format("a list of {:g} numbers; allowed are 0 to {}", count, kMostListed));
   values.require(static_cast<uint64_t>(count), property.type);
   return static_cast<size_t>(count);
 }
@@ -38,11 +35,9 @@ void read_vertices(Values& values, const PlyElement& element, MeshBuilder& mesh,
   std::vector<int> slots(element.properties.size(), -1);
   int known = 0;
   for (int i = 0; i < 6; ++i)
-    if (const int at = element.find(kNames[i]);
-        at >= 0 && !element.properties[static_cast<size_t>(at)].is_list)
+    if (const int at = element.find(kNames[i]); at >= 0 && !element.properties[static_cast<size_t>(at)].is_list)
       slots[static_cast<size_t>(at)] = i, known |= 1 << i;
-  if ((known & 7) != 7)
-    throw error(ErrorKind::input, "{}: its vertices lack x, y or z", mesh.data.path.string());
+  if ((known & 7) != 7) throw error(ErrorKind::input, "{}: its vertices lack x, y or z", mesh.data.path.string());
   const bool has_normals = known == 63;
   if (std::any_of(element.properties.begin(), element.properties.end(),
                   [](const PlyProperty& p) { return is_color(p.name); }))
@@ -70,8 +65,7 @@ void read_faces(Values& values, const PlyElement& element, uint64_t vertices, Me
   if (list < 0 || !element.properties[static_cast<size_t>(list)].is_list)
     throw error(ErrorKind::input, "{}: its faces have no list 'vertex_indices'", mesh.data.path.string());
   if (mesh.data.positions.size() != vertices)
-    throw error(ErrorKind::input, "{}: its faces come before its vertices; write them behind",
-                mesh.data.path.string());
+    throw error(ErrorKind::input, "{}: its faces come before its vertices; write them behind", mesh.data.path.string());
   std::vector<uint32_t> corners;
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin(element, i);
@@ -83,8 +77,7 @@ void read_faces(Values& values, const PlyElement& element, uint64_t vertices, Me
       }
       const size_t count = list_length(values, property, mesh, i), place = values.place(i);
       corners.clear();
-      while (corners.size() < count)
-        corners.push_back(mesh.corner(values.next(property.type), vertices, place));
+      while (corners.size() < count) corners.push_back(mesh.corner(values.next(property.type), vertices, place));
       mesh.add_face(corners, place);
     }
   }
@@ -101,8 +94,7 @@ void read_elements(Values& values, const PlyHeader& header, MeshBuilder& mesh, W
     } else if (element.name == "face") {
       read_faces(values, element, vertices, mesh);
     } else if (element.name == "tristrips") {
-      throw error(ErrorKind::input, "{}: triangle strips are not read; convert them to faces",
-                  mesh.data.path.string());
+      throw error(ErrorKind::input, "{}: triangle strips are not read; convert them to faces", mesh.data.path.string());
     } else {
       for (uint64_t i = 0; i < element.count; ++i) {
         values.begin(element, i);

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/warnings.h"
 #include "core/load/ply_header.h"
 #include "core/load/text_lines.h"
 #include "core/load/text_scan.h"
-#include "core/base/warnings.h"
 
 namespace hybridrt {
 
@@ -21,9 +21,9 @@ namespace hybridrt {
 inline bool says_not_finite(std::string_view word) {
   while (!word.empty() && (word.front() == '-' || word.front() == '+')) word.remove_prefix(1);
   const auto is = [&](std::string_view name) {
-    return word.size() >= name.size() &&
-           std::equal(name.begin(), name.end(), word.begin(),
-                      [](char a, char b) { return a == b || (b >= 'A' && b <= 'Z' && a == b - 'A' + 'a'); });
+    return word.size() >= name.size() && std::equal(name.begin(), name.end(), word.begin(), [](char a, char b) {
+             return a == b || (b >= 'A' && b <= 'Z' && a == b - 'A' + 'a');
+           });
   };
   return is("nan") || is("inf") || is("1.#");
 }
@@ -42,8 +42,8 @@ class PlyTextValues {
       rest_ = line;
       if (!trimmed(rest_).empty()) return;
     }
-    throw error(ErrorKind::input, "{}: cut short: it ends before {} {} of {}", lines_.path().string(),
-                element.name, index + 1, element.count);
+    throw error(ErrorKind::input, "{}: cut short: it ends before {} {} of {}", lines_.path().string(), element.name,
+                index + 1, element.count);
   }
 
   /// NaN for a word that says so or infinity; any other word that is no number throws.
@@ -59,8 +59,8 @@ class PlyTextValues {
   /// Refuses lists that cannot be there.
   void require(uint64_t count, PlyType) const {
     if (count > rest_.size())
-      throw error(ErrorKind::input, "{}:{}: a list of {} numbers does not fit the line",
-                  lines_.path().string(), lines_.line_number(), count);
+      throw error(ErrorKind::input, "{}:{}: a list of {} numbers does not fit the line", lines_.path().string(),
+                  lines_.line_number(), count);
   }
 
   size_t place(uint64_t) const { return lines_.line_number(); }
@@ -86,22 +86,14 @@ class PlyBinaryValues {
 
   double next(PlyType type) {
     switch (type) {
-      case PlyType::int8:
-        return take<int8_t>();
-      case PlyType::uint8:
-        return take<uint8_t>();
-      case PlyType::int16:
-        return take<int16_t>();
-      case PlyType::uint16:
-        return take<uint16_t>();
-      case PlyType::int32:
-        return take<int32_t>();
-      case PlyType::uint32:
-        return take<uint32_t>();
-      case PlyType::float32:
-        return static_cast<double>(take<float>());
-      case PlyType::float64:
-        return take<double>();
+      case PlyType::int8: return take<int8_t>();
+      case PlyType::uint8: return take<uint8_t>();
+      case PlyType::int16: return take<int16_t>();
+      case PlyType::uint16: return take<uint16_t>();
+      case PlyType::int32: return take<int32_t>();
+      case PlyType::uint32: return take<uint32_t>();
+      case PlyType::float32: return static_cast<double>(take<float>());
+      case PlyType::float64: return take<double>();
     }
     return 0;
   }

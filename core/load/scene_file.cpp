@@ -1,12 +1,12 @@
 #include "core/load/scene_file.h"
 
 #include "core/base/error.h"
+#include "core/base/warnings.h"
+#include "core/load/camera_json.h"
 #include "core/load/json_read.h"
 #include "core/load/mesh_io.h"
 #include "core/load/text_scan.h"
 #include "shaders/shared.h"
-#include "core/base/warnings.h"
-#include "core/load/camera_json.h"
 
 namespace hybridrt {
 namespace {
@@ -26,8 +26,7 @@ std::vector<fs::path> parse_meshes(const JsonPlace& place, const fs::path& file)
   for (size_t i = 0; i < place.size(); ++i) {
     const std::string name = place[i].text();
     meshes.push_back(beside(file, name));
-    if (!is_mesh_file(meshes.back()))
-      place[i].fail(fmt::format("{} is no {} file", in_quotes(name), kMeshFormats));
+    if (!is_mesh_file(meshes.back())) place[i].fail(fmt::format("{} is no {} file", in_quotes(name), kMeshFormats));
   }
   if (meshes.empty()) place.fail("there are no meshes; give at least one");
   return meshes;
@@ -72,8 +71,7 @@ std::string setting_text(const JsonPlace& place) {
   const nlohmann::json& value = place.value();
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number() || value.is_boolean()) return value.dump();
-  if (!value.is_array() || value.empty())
-    place.fail("must be a string, a number, true, false or an array of these");
+  if (!value.is_array() || value.empty()) place.fail("must be a string, a number, true, false or an array of these");
   std::string list;
   for (size_t i = 0; i < place.size(); ++i) {
     if (place[i].value().is_structured()) place[i].fail("must be a string or a number");

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/load/camera_json.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene.h"
-#include "core/load/camera_json.h"
 
 namespace hybridrt {
 
@@ -34,7 +34,7 @@ SceneDescription read_scene_file(const std::filesystem::path& path);
 /// The camera of a scene JSON ("camera", or "camera_path" as an object or the name of a file beside it), if
 /// it has one. Apart, since it needs to know what the command line makes of the up axis and the field of
 /// view.
-std::optional<CameraCourse> read_scene_file_camera(const std::filesystem::path& path,
-                                                   const CameraFileContext& context, Warnings& warnings);
+std::optional<CameraCourse> read_scene_file_camera(const std::filesystem::path& path, const CameraFileContext& context,
+                                                   Warnings& warnings);
 
 }  // namespace hybridrt

@@ -25,8 +25,7 @@ Json color(const vec3& c) { return {short_number(c.x), short_number(c.y), short_
 
 }  // namespace
 
-void write_scene_json(const std::filesystem::path& path_json, const std::string& mesh,
-                      const SceneShot& shot) {
+void write_scene_json(const std::filesystem::path& path_json, const std::string& mesh, const SceneShot& shot) {
   Json json;
   json["meshes"] = {mesh};
   if (shot.camera) {

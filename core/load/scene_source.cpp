@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/warnings.h"
 #include "core/load/loading_bytes.h"
 #include "core/load/mesh_io.h"
-#include "core/procedural/procedural.h"
 #include "core/load/scene_file.h"
 #include "core/load/text_scan.h"
-#include "core/base/warnings.h"
+#include "core/procedural/procedural.h"
 
 namespace hybridrt {
 namespace {
@@ -25,8 +25,7 @@ std::string_view take_part(std::string_view& rest) {
 
 double parse_value(const std::string& argument, std::string_view key, std::string_view value) {
   const std::optional<double> number = parse_number(value);
-  if (!number)
-    throw error(ErrorKind::usage, "{}: {} needs a number, not {}", argument, key, in_quotes(value));
+  if (!number) throw error(ErrorKind::usage, "{}: {} needs a number, not {}", argument, key, in_quotes(value));
   return *number;
 }
 
@@ -35,8 +34,8 @@ Scene make_procedural(const std::string& argument, uint64_t most_bytes) {
   const std::string_view name = take_part(rest);
   const ProceduralScene* scene = find_procedural(name);
   if (!scene)
-    throw error(ErrorKind::usage, "{}: there is no procedural scene {}; there are: {}", argument,
-                in_quotes(name), procedural_names());
+    throw error(ErrorKind::usage, "{}: there is no procedural scene {}; there are: {}", argument, in_quotes(name),
+                procedural_names());
   ProceduralOptions options;
   while (!rest.empty()) {
     const std::string_view part = take_part(rest);
@@ -46,8 +45,7 @@ Scene make_procedural(const std::string& argument, uint64_t most_bytes) {
     if (key == "triangles") {
       const double triangles = parse_value(argument, key, value);
       if (triangles != std::floor(triangles) || std::abs(triangles) > 1e15)
-        throw error(ErrorKind::usage, "{}: triangles needs a whole number, not {}", argument,
-                    in_quotes(value));
+        throw error(ErrorKind::usage, "{}: triangles needs a whole number, not {}", argument, in_quotes(value));
       options.triangles = static_cast<int64_t>(triangles);
     } else if (key == "reflective") {
       options.reflective_percent = parse_value(argument, key, value);
@@ -63,8 +61,8 @@ Scene make_procedural(const std::string& argument, uint64_t most_bytes) {
 
 }  // namespace
 
-Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings,
-                 std::optional<UpAxis> up_axis, const LoadWatch& watch) {
+Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings, std::optional<UpAxis> up_axis,
+                 const LoadWatch& watch) {
   if (scene_argument.starts_with(kPrefix)) {
     if (up_axis.value_or(UpAxis::y) != UpAxis::y)
       throw error(ErrorKind::usage, "{}: its y axis points up; leave --up-axis out", scene_argument);

@@ -19,7 +19,6 @@ namespace hybridrt {
 /// `up_axis` replaces what a scene JSON says; procedural scenes have y up and take no other.
 /// A scene that would take more than watch.most_bytes of memory is refused (Error, input) before it is read or made.
 Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings,
-                 std::optional<UpAxis> up_axis = std::nullopt,
-                 const LoadWatch& watch = {});
+                 std::optional<UpAxis> up_axis = std::nullopt, const LoadWatch& watch = {});
 
 }  // namespace hybridrt

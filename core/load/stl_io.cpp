@@ -5,10 +5,10 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/base/warnings.h"
 #include "core/load/mesh_builder.h"
 #include "core/load/mesh_io.h"
 #include "core/load/text_lines.h"
-#include "core/base/warnings.h"
 
 namespace hybridrt {
 namespace {
@@ -31,20 +31,17 @@ void close_facet(MeshBuilder& mesh, size_t first, size_t place) {
   mesh.add_face(corners, place);
 }
 
-MeshData read_binary(const std::filesystem::path& path, std::ifstream& file, uint64_t facets,
-                     Warnings& warnings) {
+MeshData read_binary(const std::filesystem::path& path, std::ifstream& file, uint64_t facets, Warnings& warnings) {
   MeshBuilder mesh(path, "facet");
   mesh.data.positions.reserve(3 * facets);
   std::array<char, kFacetBytes> facet;
   file.seekg(static_cast<std::streamoff>(kHeaderBytes));
   for (uint64_t i = 0; i < facets; ++i) {
     if (!file.read(facet.data(), facet.size()))
-      throw error(ErrorKind::input, "{}: cut short: it ends within facet {} of {}", path.string(), i + 1,
-                  facets);
+      throw error(ErrorKind::input, "{}: cut short: it ends within facet {} of {}", path.string(), i + 1, facets);
     for (size_t corner = 0; corner < 3; ++corner) {
       const char* at = facet.data() + 12 * (corner + 1);
-      mesh.add_vertex({little_endian<float>(at), little_endian<float>(at + 4), little_endian<float>(at + 8)},
-                      i);
+      mesh.add_vertex({little_endian<float>(at), little_endian<float>(at + 4), little_endian<float>(at + 8)}, i);
     }
     const auto last = static_cast<uint32_t>(mesh.data.positions.size() - 1);
     mesh.add_face(std::array{last - 2, last - 1, last}, i);
@@ -86,8 +83,7 @@ MeshData read_text(const std::filesystem::path& path, Warnings& warnings) {
       } else if (keyword == "vertex") {
         const double x = number(rest), y = number(rest), z = number(rest);
         if (!inside) mesh.fail(lines.line_number(), "a vertex outside of any facet");
-        if (mesh.data.positions.size() - first >= kMostCorners)
-          mesh.fail(facet_line, "a facet with too many corners");
+        if (mesh.data.positions.size() - first >= kMostCorners) mesh.fail(facet_line, "a facet with too many corners");
         mesh.add_vertex({x, y, z}, lines.line_number());
       } else if (keyword == "endfacet") {
         if (!inside) mesh.fail(lines.line_number(), "'endfacet' outside of any facet");
@@ -125,8 +121,7 @@ MeshData read_stl(const std::filesystem::path& path, Warnings& warnings) {
 
   const uint64_t there = bytes < kHeaderBytes ? 0 : (bytes - kHeaderBytes) / kFacetBytes;
   if (promised > there || bytes < kHeaderBytes)
-    throw error(ErrorKind::input,
-                "{}: neither text nor whole: a binary STL of {} facets, but there is room for {}",
+    throw error(ErrorKind::input, "{}: neither text nor whole: a binary STL of {} facets, but there is room for {}",
                 path.string(), promised, there);
   if (!fits)
     warnings.push_back(fmt::format("{}: {} bytes behind its {} facets were ignored", path.filename().string(),

@@ -39,8 +39,7 @@ inline std::optional<double> parse_number(std::string_view word) {
   const auto [stop, status] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (stop != word.data() + word.size() || word.empty()) return std::nullopt;
   if (status == std::errc::result_out_of_range)  // too small is as good as 0, too large is not a number
-    return word.find("e-") != word.npos || word.find("E-") != word.npos ? std::optional<double>(0)
-                                                                        : std::nullopt;
+    return word.find("e-") != word.npos || word.find("E-") != word.npos ? std::optional<double>(0) : std::nullopt;
   if (status != std::errc() || !std::isfinite(value)) return std::nullopt;
   return value;
 }

@@ -79,8 +79,7 @@ TextureFile find_texture(const std::filesystem::path& folder, std::string name) 
   found.foreign = path.is_absolute() || has_drive || std::find(path.begin(), path.end(), "..") != path.end();
   std::error_code unreachable;
   const auto try_file = [&](const std::filesystem::path& candidate) {
-    if (found.path.empty() && std::filesystem::is_regular_file(candidate, unreachable))
-      found.path = candidate;
+    if (found.path.empty() && std::filesystem::is_regular_file(candidate, unreachable)) found.path = candidate;
   };
   if (!found.foreign) try_file(folder / path);
   if (path.has_filename()) try_file(folder / path.filename());

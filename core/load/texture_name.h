@@ -22,8 +22,8 @@ TextureStatement read_texture_statement(std::string_view statement);
 /// Where a texture was looked for.
 struct TextureFile {
   std::filesystem::path path;  ///< empty: there is no such file
-  bool foreign = false;  ///< the name leads elsewhere (absolute, `..`, a Windows drive): only its last part
-                         ///< was looked for, beside the MTL
+  bool foreign = false;        ///< the name leads elsewhere (absolute, `..`, a Windows drive): only its last part
+                               ///< was looked for, beside the MTL
 };
 
 /// Never outside of `folder`, in which the MTL lies. Backslashes divide folders like slashes do.

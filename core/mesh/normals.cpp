@@ -57,9 +57,7 @@ FaceAtVertex face_at_vertex(const Scene& scene, uint32_t corner) {
 /// The normals of one vertex: writes those that are missing, as local indices into `normals`.
 void build_at_vertex(Scene& scene, std::span<const uint32_t> corners, std::vector<FaceAtVertex>& faces,
                      std::vector<vec3>& normals) {
-  const auto slot = [&](uint32_t corner) -> uint32_t& {
-    return scene.triangle_normals[corner / 3][corner % 3];
-  };
+  const auto slot = [&](uint32_t corner) -> uint32_t& { return scene.triangle_normals[corner / 3][corner % 3]; };
   if (std::none_of(corners.begin(), corners.end(), [&](uint32_t c) { return slot(c) == kNoNormal; })) return;
 
   faces.clear();
@@ -99,9 +97,9 @@ void rebuild_missing_normals(Scene& scene, ThreadPool& pool) {
   parallel_for(pool, vertices, kGrain, [&](size_t begin, size_t end) {
     std::vector<FaceAtVertex> faces;
     for (size_t v = begin; v < end; ++v)
-      build_at_vertex(
-          scene, std::span(around.corners).subspan(around.starts[v], around.starts[v + 1] - around.starts[v]),
-          faces, chunk_normals[begin / kGrain]);
+      build_at_vertex(scene,
+                      std::span(around.corners).subspan(around.starts[v], around.starts[v + 1] - around.starts[v]),
+                      faces, chunk_normals[begin / kGrain]);
   });
 
   // The chunks' normals one behind the other, in the order of the vertices.

@@ -27,8 +27,7 @@ std::vector<dvec2> flattened(std::span<const dvec3> corners) {
   int u = (drop + 1) % 3, v = (drop + 2) % 3;
   if (normal[drop] < 0) std::swap(u, v);
   std::vector<dvec2> flat(corners.size());
-  for (size_t i = 0; i < corners.size(); ++i)
-    flat[i] = {corners[i][u] - corners[0][u], corners[i][v] - corners[0][v]};
+  for (size_t i = 0; i < corners.size(); ++i) flat[i] = {corners[i][u] - corners[0][u], corners[i][v] - corners[0][v]};
   return flat;
 }
 
@@ -40,8 +39,7 @@ class CornerGrid {
     dvec2 hi(-lo_);
     for (const dvec2& p : points) lo_ = glm::min(lo_, p), hi = glm::max(hi, p);
     side_ = std::clamp<int>(static_cast<int>(std::sqrt(static_cast<double>(members.size()))), 1, 1024);
-    for (int axis = 0; axis < 2; ++axis)
-      scale_[axis] = hi[axis] > lo_[axis] ? side_ / (hi[axis] - lo_[axis]) : 0;
+    for (int axis = 0; axis < 2; ++axis) scale_[axis] = hi[axis] > lo_[axis] ? side_ / (hi[axis] - lo_[axis]) : 0;
     starts_.assign(static_cast<size_t>(side_) * side_ + 1, 0);
     for (uint32_t member : members) ++starts_[cell(points[member]) + 1];
     for (size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
@@ -107,9 +105,7 @@ struct Ring {
     for (uint32_t i = 0; i < n; ++i) previous[i] = (i + n - 1) % n, next[i] = (i + 1) % n, in_the_way[i] = i;
     for (uint32_t i = 0; i < n; ++i) update(i);
   }
-  uint32_t any_alive() const {
-    return static_cast<uint32_t>(std::find(alive.begin(), alive.end(), 1) - alive.begin());
-  }
+  uint32_t any_alive() const { return static_cast<uint32_t>(std::find(alive.begin(), alive.end(), 1) - alive.begin()); }
   double turn(uint32_t i) const { return cross2(points[previous[i]], points[i], points[next[i]]); }
   void update(uint32_t i) { convex[i] = turn(i) > 0; }
   void remove(uint32_t i) {

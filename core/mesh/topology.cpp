@@ -67,8 +67,7 @@ std::vector<uint32_t> unite_at_edges(Topology& topology, ThreadPool& pool) {
     for (size_t edge = begin; edge < end; ++edge) {
       const std::span<const EdgeUse> uses = topology.uses_of(edge);
       for (size_t i = 1; i < uses.size(); ++i) sets.unite(uses[0].triangle, uses[i].triangle);
-      if (topology.kind_of(edge) != EdgeKind::regular)
-        irregular[begin / kGrain].push_back(static_cast<uint32_t>(edge));
+      if (topology.kind_of(edge) != EdgeKind::regular) irregular[begin / kGrain].push_back(static_cast<uint32_t>(edge));
     }
   });
   parallel_for(pool, topology.component_of_triangle.size(), kGrain, [&](size_t begin, size_t end) {
@@ -100,20 +99,12 @@ void number_components(Topology& topology, std::span<const uvec3> triangles) {
 
 void count_irregular_edges(Topology& topology, std::span<const uint32_t> irregular) {
   for (uint32_t edge : irregular) {
-    Component& component =
-        topology.components[topology.component_of_triangle[topology.uses_of(edge)[0].triangle]];
+    Component& component = topology.components[topology.component_of_triangle[topology.uses_of(edge)[0].triangle]];
     switch (topology.kind_of(edge)) {
-      case EdgeKind::regular:
-        break;
-      case EdgeKind::boundary:
-        ++component.boundary_edges, ++topology.boundary_edges;
-        break;
-      case EdgeKind::inconsistent:
-        ++component.inconsistent_edges, ++topology.inconsistent_edges;
-        break;
-      case EdgeKind::non_manifold:
-        ++component.non_manifold_edges, ++topology.non_manifold_edges;
-        break;
+      case EdgeKind::regular: break;
+      case EdgeKind::boundary: ++component.boundary_edges, ++topology.boundary_edges; break;
+      case EdgeKind::inconsistent: ++component.inconsistent_edges, ++topology.inconsistent_edges; break;
+      case EdgeKind::non_manifold: ++component.non_manifold_edges, ++topology.non_manifold_edges; break;
     }
   }
 }
@@ -180,8 +171,8 @@ Topology build_topology(const Scene& scene, ThreadPool& pool) {
 }
 
 size_t memory_bytes(const Topology& t) {
-  return bytes_of(t.component_of_triangle) + bytes_of(t.components) + bytes_of(t.edges) +
-         bytes_of(t.first_use) + bytes_of(t.uses);
+  return bytes_of(t.component_of_triangle) + bytes_of(t.components) + bytes_of(t.edges) + bytes_of(t.first_use) +
+         bytes_of(t.uses);
 }
 
 }  // namespace hybridrt

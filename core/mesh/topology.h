@@ -73,9 +73,7 @@ struct Topology {
     if (at.size() != 2) return at.size() == 1 ? EdgeKind::boundary : EdgeKind::non_manifold;
     return at[0].reversed != at[1].reversed ? EdgeKind::regular : EdgeKind::inconsistent;
   }
-  const Component& component_of(uint32_t triangle) const {
-    return components[component_of_triangle[triangle]];
-  }
+  const Component& component_of(uint32_t triangle) const { return components[component_of_triangle[triangle]]; }
 };
 
 /// The result does not depend on the number of threads. Throws CheckFailed beyond 2^31 positions or 2^30

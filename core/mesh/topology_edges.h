@@ -15,7 +15,6 @@ inline bool is_degenerate(const uvec3& welded) {
 /// Fills `edges`, `first_use` and `uses` of `topology` from triangles whose corners are welded vertices,
 /// each less than `vertices`. Sides of triangles are filed under their smaller vertex, then sorted there: one
 /// scatter and many small sorts, all in parallel. The result does not depend on the number of threads.
-void build_edges(std::span<const uvec3> welded_triangles, size_t vertices, ThreadPool& pool,
-                 Topology& topology);
+void build_edges(std::span<const uvec3> welded_triangles, size_t vertices, ThreadPool& pool, Topology& topology);
 
 }  // namespace hybridrt

@@ -1,8 +1,7 @@
 #include "core/mesh/topology_warnings.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "core/base/warnings.h"
 
@@ -33,15 +32,13 @@ void warn_of_open_refraction(const Scene& scene, const Topology& topology, Warni
 
 }  // namespace
 
-bool refracts(const Scene& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(), bends_light);
-}
+bool refracts(const Scene& scene) { return std::any_of(scene.materials.begin(), scene.materials.end(), bends_light); }
 
 void topology_warnings(const Scene& scene, const Topology& topology, Warnings& warnings) {
   if (topology.non_manifold_edges > 0)
-    warnings.push_back(fmt::format(
-        "{} edges belong to more than two triangles (non-manifold); kept, but their meshes have no inside",
-        topology.non_manifold_edges));
+    warnings.push_back(
+        fmt::format("{} edges belong to more than two triangles (non-manifold); kept, but their meshes have no inside",
+                    topology.non_manifold_edges));
   warn_of_open_refraction(scene, topology, warnings);
 }
 

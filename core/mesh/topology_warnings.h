@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/warnings.h"
-#include "core/scene/scene.h"
 #include "core/mesh/topology.h"
+#include "core/scene/scene.h"
 
 namespace hybridrt {
 

@@ -36,8 +36,7 @@ std::vector<uint32_t> weld_positions(std::span<const vec3> positions, ThreadPool
       for (size_t slot = hash_of(positions[i]) & (slots - 1);; slot = (slot + 1) & (slots - 1)) {
         std::atomic_ref<uint32_t> entry(table[slot]);
         uint32_t holder = entry.load(std::memory_order_relaxed);
-        if (holder == kEmpty && entry.compare_exchange_strong(holder, own, std::memory_order_relaxed))
-          holder = own;
+        if (holder == kEmpty && entry.compare_exchange_strong(holder, own, std::memory_order_relaxed)) holder = own;
         if (positions[holder] != positions[i]) continue;
         while (own < holder && !entry.compare_exchange_weak(holder, own, std::memory_order_relaxed)) {
         }

@@ -10,7 +10,7 @@ namespace hybridrt {
 struct LightFrame {
   dvec3 toward{0, 1, 0};  ///< unit, toward the light
   dvec3 x_axis{1, 0, 0}, y_axis{0, 0, 1};
-  dvec3 lo{0}, hi{1};     ///< along x_axis, y_axis and -toward; never empty along any of them
+  dvec3 lo{0}, hi{1};  ///< along x_axis, y_axis and -toward; never empty along any of them
 
   /// A position's place in the box: x, y, z (z grows away from the light) each 0..1.
   dmat4 unit_from_scene() const;

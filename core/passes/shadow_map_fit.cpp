@@ -111,7 +111,7 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
 
   // Receivers fill the inner part of the map, from `margin` on.
   const double margin = std::min(kMargin_texels, size_px / 8.0) / size_px, inner = 1 - 2 * margin;
-  const double decline = 1 - 1 / w_hi;               // of 1 / w over the inner part
+  const double decline = 1 - 1 / w_hi;                  // of 1 / w over the inner part
   const double w_scale = 1 + decline * margin / inner;  // w is 1 along the map's first row, not the receivers'
 
   const dvec4 w = w_scale * row(w_per_length * v_axis, 1 - along.lo * w_per_length);

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <span>
+
 #include "core/passes/light_frame.h"
 #include "core/scene/view.h"
-
-#include <span>
 
 namespace hybridrt {
 
@@ -12,8 +12,8 @@ namespace hybridrt {
 ///
 ///     (u w, v w, z, w) = map_from_origin * (position - origin, 1)
 ///
-/// u and v are 0..1 over the map, z is 0..1 over the scene and grows away from the light, w is 1 along the row v = 0 and
-/// grows with v. Hardware divides z by w too, so the map holds z / w; as w is the same all along a row of texels,
+/// u and v are 0..1 over the map, z is 0..1 over the scene and grows away from the light, w is 1 along the row v = 0
+/// and grows with v. Hardware divides z by w too, so the map holds z / w; as w is the same all along a row of texels,
 ///
 ///     1 / w = 1 + inverse_w_slope * v,
 ///
@@ -35,11 +35,11 @@ ShadowMapFit uniform_shadow_map(const LightFrame& light, int size_px);
 
 /// Light space perspective shadow map (M. Wimmer, D. Scherzer, W. Purgathofer, "Light Space Perspective Shadow Maps",
 /// EGSR 2004): fitted to the convex hull of `receivers`, points relative to view.eye in front of it, with the warp that
-/// evens out texels a pixel over the picture, n = (z0 + sqrt(z0 z1)) / sin(view, light). The pole's place aside is free,
-/// and chosen so that the receivers fill the map: under a low light a floor is a thin line across it. What casts shadows
-/// on them is in the map as well, as it holds all that lies before and behind the hull along the light. Where view and
-/// light are nearly parallel it is fitted without warp; without receivers it is uniform_shadow_map(). Always finite, and
-/// w >= 1 over the map. `light` tells direction and range of depths.
+/// evens out texels a pixel over the picture, n = (z0 + sqrt(z0 z1)) / sin(view, light). The pole's place aside is
+/// free, and chosen so that the receivers fill the map: under a low light a floor is a thin line across it. What casts
+/// shadows on them is in the map as well, as it holds all that lies before and behind the hull along the light. Where
+/// view and light are nearly parallel it is fitted without warp; without receivers it is uniform_shadow_map(). Always
+/// finite, and w >= 1 over the map. `light` tells direction and range of depths.
 ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span<const dvec3> receivers, int size_px);
 
 }  // namespace hybridrt

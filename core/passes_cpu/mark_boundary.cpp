@@ -3,11 +3,11 @@
 #include <mutex>
 
 #include "core/base/check.h"
+#include "core/base/timing.h"
 #include "core/trace/primary_surface.h"
 #include "core/trace/ray_generations.h"
 #include "core/trace/tile.h"
 #include "shaders/shared.h"
-#include "core/base/timing.h"
 
 namespace hybridrt {
 namespace {
@@ -96,8 +96,7 @@ TraceStats answer_unsettled(const TraceJob& job, ThreadPool& pool, const Unsettl
     const double started_ms = thread_cpu_ms();
     std::vector<uint8_t> occluded(queries.size());
     shadow_answers(*job.lights[light].buffer, queries, occluded);
-    for (size_t i = 0; i < pixels.size(); ++i)
-      lit[light * pixel_count + pixels[i]] = occluded[i] ? 0 : HRT_MASK_LIT;
+    for (size_t i = 0; i < pixels.size(); ++i) lit[light * pixel_count + pixels[i]] = occluded[i] ? 0 : HRT_MASK_LIT;
     TraceStats stats;
     stats.pixels_marked = stats.shadow_rays = stats.primary_shadow_rays = static_cast<int64_t>(queries.size());
     stats.shadow_cpu_ms = thread_cpu_ms() - started_ms;

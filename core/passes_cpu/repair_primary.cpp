@@ -17,8 +17,8 @@ constexpr int kRowsAChunk = 16;
 /// A triangle as the eye sees it.
 struct SeenTriangle {
   uint32_t id = kNoTriangle;
-  vec3 edges[3];  ///< unit normals of the planes through the eye and an edge, pointing inward
-  vec3 normal;    ///< unit, away from the eye
+  vec3 edges[3];       ///< unit normals of the planes through the eye and an edge, pointing inward
+  vec3 normal;         ///< unit, away from the eye
   float distance = 0;  ///< of its plane from the eye
   bool edge_on = false;
 
@@ -54,15 +54,16 @@ struct SeenTriangle {
 /// What a pixel sees, by pass 2.
 struct SeenPixel {
   SeenTriangle triangle;
-  dvec3 dir{0};     ///< through its centre, unit
-  float t = 0;      ///< distance of the triangle's plane along it
-  float cosine = 0; ///< between the two
+  dvec3 dir{0};      ///< through its centre, unit
+  float t = 0;       ///< distance of the triangle's plane along it
+  float cosine = 0;  ///< between the two
 };
 
 /// Three rows of a picture that move down it.
 class Neighbourhood {
  public:
-  Neighbourhood(const Scene& scene, const View& view, std::span<const uint32_t> ids) : scene_(scene), view_(view), ids_(ids) {
+  Neighbourhood(const Scene& scene, const View& view, std::span<const uint32_t> ids)
+      : scene_(scene), view_(view), ids_(ids) {
     for (auto& row : rows_) row.resize(static_cast<size_t>(view.width_px) + 2);
   }
 
@@ -114,7 +115,8 @@ class Suspicion {
 
     const vec3 dir(own.dir);
     const bool hit = own.triangle.id != kNoTriangle;
-    if (hit && (own.triangle.edge_on || own.cosine < kGrazing || own.triangle.depth_inside(dir) < near_edge_)) return true;
+    if (hit && (own.triangle.edge_on || own.cosine < kGrazing || own.triangle.depth_inside(dir) < near_edge_))
+      return true;
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const SeenPixel& other = seen.at(x + dx, y + dy);

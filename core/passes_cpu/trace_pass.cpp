@@ -1,13 +1,13 @@
 #include "core/passes_cpu/trace_pass.h"
 
+#include <bit>
+#include <mutex>
+
+#include "core/base/timing.h"
 #include "core/trace/primary_surface.h"
 #include "core/trace/ray_generations.h"
 #include "core/trace/tile.h"
 #include "shaders/shared.h"
-#include "core/base/timing.h"
-
-#include <bit>
-#include <mutex>
 
 namespace hybridrt {
 namespace {
@@ -163,9 +163,8 @@ class TileTrace {
 
 TraceStats trace_pass(const TraceJob& job, const RayCaster<float>* caster, ThreadPool& pool,
                       const TracePixels& pixels) {
-  return for_each_tile(job.view, pool, [&](const Tile& tile, TraceStats& stats) {
-    TileTrace(job, caster, pixels).run(tile, stats);
-  });
+  return for_each_tile(job.view, pool,
+                       [&](const Tile& tile, TraceStats& stats) { TileTrace(job, caster, pixels).run(tile, stats); });
 }
 
 template <typename Real>

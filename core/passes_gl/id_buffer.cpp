@@ -1,15 +1,16 @@
 #include "core/passes_gl/id_buffer.h"
 
-#include "shaders/shared.h"
-
 #include <glm/gtc/matrix_transform.hpp>
+
+#include "shaders/shared.h"
 
 namespace hybridrt {
 
 IdBufferPass::IdBufferPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes)
     : gl_(gl),
       holes_(holes),
-      program_(holes ? gl::Program(gl, shaders, {"id_holes.vert", "id_holes.frag"}) : gl::Program(gl, shaders, {"id.vert", "id.frag"})) {}
+      program_(holes ? gl::Program(gl, shaders, {"id_holes.vert", "id_holes.frag"})
+                     : gl::Program(gl, shaders, {"id.vert", "id.frag"})) {}
 
 void IdBufferPass::run(const In& in, const Out& out) const {
   const gl::Functions& gl = gl_;
@@ -28,8 +29,10 @@ void IdBufferPass::run(const In& in, const Out& out) const {
   program_.use();
   set_eye_uniforms(program_, in.view.eye);
   program_.set("clip_from_eye", mat4(clip_from_eye(in.view, in.near_distance)));
-  if (holes_) in.scene.draw_with_holes(gl);
-  else in.scene.draw(gl);
+  if (holes_)
+    in.scene.draw_with_holes(gl);
+  else
+    in.scene.draw(gl);
   gl::throw_on_error(gl, "pass 2, triangle ids");
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/passes_gl/scene_gpu.h"
 #include "core/passes/shadow_map_fit.h"
+#include "core/passes_gl/scene_gpu.h"
 
 namespace hybridrt {
 
@@ -33,7 +33,7 @@ struct ShadowTestPass {
   struct In {
     const SceneGpu& scene;
     const View& view;
-    const dvec3& to_light;  ///< unit
+    const dvec3& to_light;    ///< unit
     const ShadowMapFit& fit;  ///< what `shadow_map` was drawn by
     const gl::Texture& ids;
     const gl::Texture& shadow_map;

@@ -12,8 +12,8 @@ struct MarkBoundaryPass {
   struct In {
     const gl::TextureArray& mask;  ///< R8UI, from pass 2
     int width_px, height_px;
-    int kernel_px;                 ///< odd, 1..31
-    int layer = 0;                 ///< of both masks
+    int kernel_px;  ///< odd, 1..31
+    int layer = 0;  ///< of both masks
   };
   struct Out {
     const gl::Texture& row_sums;          ///< RG8UI scratch

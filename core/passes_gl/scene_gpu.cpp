@@ -1,9 +1,9 @@
 #include "core/passes_gl/scene_gpu.h"
 
-#include "shaders/shared.h"
-
 #include <algorithm>
 #include <vector>
+
+#include "shaders/shared.h"
 
 namespace hybridrt {
 namespace {

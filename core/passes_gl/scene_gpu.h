@@ -1,12 +1,12 @@
 #pragma once
 
+#include <optional>
+
 #include "core/gl/context.h"
 #include "core/gl/objects.h"
 #include "core/gl/program.h"
 #include "core/scene/scene.h"
 #include "core/scene/view.h"
-
-#include <optional>
 
 namespace hybridrt {
 

@@ -1,10 +1,10 @@
 #include "core/passes_gl/shade.h"
 
-#include "core/base/check.h"
-#include "shaders/shared.h"
-
 #include <algorithm>
 #include <fmt/format.h>
+
+#include "core/base/check.h"
+#include "shaders/shared.h"
 
 namespace hybridrt {
 namespace {

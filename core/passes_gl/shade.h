@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/passes_gl/scene_gpu.h"
-
 #include <span>
+
+#include "core/passes_gl/scene_gpu.h"
 
 namespace hybridrt {
 

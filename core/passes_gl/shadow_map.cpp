@@ -5,7 +5,8 @@ namespace hybridrt {
 ShadowMapPass::ShadowMapPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes)
     : gl_(gl),
       holes_(holes),
-      program_(holes ? gl::Program(gl, shaders, {"shadow_map_holes.vert", "shadow_map_holes.frag"}) : gl::Program(gl, shaders, {"shadow_map.vert"})) {}
+      program_(holes ? gl::Program(gl, shaders, {"shadow_map_holes.vert", "shadow_map_holes.frag"})
+                     : gl::Program(gl, shaders, {"shadow_map.vert"})) {}
 
 void ShadowMapPass::run(const In& in, const Out& out) const {
   const gl::Functions& gl = gl_;
@@ -26,8 +27,10 @@ void ShadowMapPass::run(const In& in, const Out& out) const {
   program_.use();
   set_far_point(program_, "origin_high", "origin_low", in.fit.origin);
   program_.set("clip_from_origin", mat4(clip_from_map * in.fit.map_from_origin));
-  if (holes_) in.scene.draw_with_holes(gl);
-  else in.scene.draw(gl);
+  if (holes_)
+    in.scene.draw_with_holes(gl);
+  else
+    in.scene.draw(gl);
   gl::throw_on_error(gl, "pass 1, shadow map");
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/passes_gl/scene_gpu.h"
 #include "core/passes/shadow_map_fit.h"
+#include "core/passes_gl/scene_gpu.h"
 
 namespace hybridrt {
 

@@ -14,8 +14,7 @@ class Lattice {
  public:
   Lattice(const Solid& solid, const dvec3& lo, const dvec3& hi, double spacing)
       : lo_(lo - 1.5 * spacing), spacing_(spacing) {
-    for (int axis = 0; axis < 3; ++axis)
-      size_[axis] = static_cast<int>(std::ceil((hi[axis] - lo[axis]) / spacing)) + 4;
+    for (int axis = 0; axis < 3; ++axis) size_[axis] = static_cast<int>(std::ceil((hi[axis] - lo[axis]) / spacing)) + 4;
     values_.resize(size_t{2} * size_[0] * size_[1] * size_[2], 1.0f);
     fill(solid);
   }
@@ -68,8 +67,8 @@ class Polygoniser {
     std::partition(corners.begin(), corners.end(), [&](uint64_t c) { return lattice_.value(c) < 0; });
     const auto& [a, b, c, d] = corners;
     const dvec3 from = lattice_.position(a);
-    const bool mirrored = glm::dot(lattice_.position(d) - from,
-                                   glm::cross(lattice_.position(b) - from, lattice_.position(c) - from)) < 0;
+    const bool mirrored =
+        glm::dot(lattice_.position(d) - from, glm::cross(lattice_.position(b) - from, lattice_.position(c) - from)) < 0;
     if (inside == 1) {
       add(mirrored, cut(a, b), cut(a, c), cut(a, d));
     } else if (inside == 3) {
@@ -85,8 +84,7 @@ class Polygoniser {
 
  private:
   uint32_t cut(uint64_t in, uint64_t out) {
-    const auto [found, is_new] =
-        vertices_.try_emplace(in << 32 | out, static_cast<uint32_t>(positions.size()));
+    const auto [found, is_new] = vertices_.try_emplace(in << 32 | out, static_cast<uint32_t>(positions.size()));
     if (is_new) {
       const double a = lattice_.value(in), b = lattice_.value(out);
       // Not quite to the ends, where several vertices would meet in a point.
@@ -109,8 +107,7 @@ void visit_tetrahedra(const Lattice& lattice, Polygoniser& polygoniser) {
       for (int x = 0; x + 2 < lattice.size(0); ++x)
         for (int axis = 0; axis < 3; ++axis) {
           // Around the face that this cell shares with the next one along the axis.
-          const int e[3] = {axis == 0, axis == 1, axis == 2}, f[3] = {e[2], e[0], e[1]},
-                    g[3] = {e[1], e[2], e[0]};
+          const int e[3] = {axis == 0, axis == 1, axis == 2}, f[3] = {e[2], e[0], e[1]}, g[3] = {e[1], e[2], e[0]};
           const uint64_t center = lattice.id(1, x, y, z), next = lattice.id(1, x + e[0], y + e[1], z + e[2]);
           uint64_t ring[5];
           for (int k = 0; k < 5; ++k) {

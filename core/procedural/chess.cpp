@@ -21,8 +21,7 @@ struct Kit {
 Kit make_kit(double per_turn) {
   Kit kit;
   kit.fineness = {per_turn, 0.7 * per_turn};
-  for (int i = 0; i < kChessPieces; ++i)
-    kit.pieces[i] = turned_parts(static_cast<ChessPiece>(i), kit.fineness);
+  for (int i = 0; i < kChessPieces; ++i) kit.pieces[i] = turned_parts(static_cast<ChessPiece>(i), kit.fineness);
   // Flat work needs less.
   const Fineness coarse{0.5 * per_turn + 16, 0.1 * per_turn};
   kit.square = board_square(coarse), kit.core = board_core(coarse), kit.stringing = board_stringing(coarse);
@@ -38,8 +37,8 @@ int64_t knight_triangles(const Fineness& fineness) {
 
 /// Of the whole scene, when a knight's head has `knight` triangles.
 int64_t count_kit(const Kit& kit, const std::vector<ChessMan>& men, int64_t knight) {
-  int64_t count = 64 * count_triangles(kit.square) + count_triangles(kit.core) +
-                  count_triangles(kit.stringing) + count_triangles(kit.frame) + count_triangles(kit.table);
+  int64_t count = 64 * count_triangles(kit.square) + count_triangles(kit.core) + count_triangles(kit.stringing) +
+                  count_triangles(kit.frame) + count_triangles(kit.table);
   for (const ChessMan& man : men) {
     for (const auto& part : kit.pieces[static_cast<int>(man.piece)]) count += count_triangles(part);
     count += man.piece == ChessPiece::knight ? knight : 0;
@@ -84,12 +83,10 @@ Scene make_chess(const ChessOptions& options) {
   // What is left over goes into the table's top.
   const int64_t count = count_kit(kit, men, static_cast<int64_t>(knight.triangle_positions.size()));
   const int64_t ring = int64_t{2} * kit.table.back().columns;
-  kit.table.back().rows +=
-      static_cast<int>(std::max<int64_t>(0, (options.triangles - count + ring / 2) / ring));
+  kit.table.back().rows += static_cast<int>(std::max<int64_t>(0, (options.triangles - count + ring / 2) / ring));
 
-  const TriangleMesh square = mesh_of(kit.square), core = mesh_of(kit.core),
-                     stringing = mesh_of(kit.stringing), frame = mesh_of(kit.frame),
-                     table = mesh_of(kit.table);
+  const TriangleMesh square = mesh_of(kit.square), core = mesh_of(kit.core), stringing = mesh_of(kit.stringing),
+                     frame = mesh_of(kit.frame), table = mesh_of(kit.table);
   std::array<std::vector<TriangleMesh>, kChessPieces> pieces;
   for (int i = 0; i < kChessPieces; ++i)
     for (const auto& part : kit.pieces[i]) pieces[i].push_back(mesh_of(part));
@@ -116,9 +113,9 @@ Scene make_chess(const ChessOptions& options) {
   for (const ChessMan& man : men)
     for (const TriangleMesh& part : pieces[static_cast<int>(man.piece)]) {
       const double height = (man.captured ? -kBoardHeight : 0) + kAirUnderPieces;
-      components.push_back({&part,
-                            {{man.place.x, height, man.place.y}, man.turn_deg * kPi / 180},
-                            [&](bool mirror) { return materials.of_piece(man.white, man.finish, mirror); }});
+      components.push_back({&part, {{man.place.x, height, man.place.y}, man.turn_deg * kPi / 180}, [&](bool mirror) {
+                              return materials.of_piece(man.white, man.finish, mirror);
+                            }});
     }
 
   const std::vector<char> is_mirror =

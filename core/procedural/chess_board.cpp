@@ -33,9 +33,7 @@ std::vector<Patch> board_stringing(const Fineness& fineness) {
 std::vector<Patch> board_frame(const Fineness& fineness) {
   constexpr double kIn = 4.055 + kAir, kOut = 4.74, kBottom = kAir - kBoardHeight;
   Profile p({kIn, kBottom});
-  p.line({kOut + 0.05, kBottom})
-      .arc({kOut + 0.08, kBottom + 0.03}, kQuarter)
-      .line({kOut + 0.08, kBottom + 0.08});
+  p.line({kOut + 0.05, kBottom}).arc({kOut + 0.08, kBottom + 0.03}, kQuarter).line({kOut + 0.08, kBottom + 0.08});
   p.arc({kOut + 0.05, kBottom + 0.11}, kQuarter).line({kOut + 0.035, kBottom + 0.11});
   p.arc({kOut, kBottom + 0.18}, -0.36).line({kOut, -0.035}).arc({kOut - 0.035, 0}, kQuarter);
   p.line({kIn + 0.006, 0}).line({kIn, -0.006}).line({kIn, kBottom});
@@ -49,10 +47,7 @@ std::vector<Patch> table_round(const Fineness& fineness, int rings) {
   Profile p({0, kTop - kThick});
   p.line({kRadius - 0.4, kTop - kThick})
       .curve({kRadius - 0.2, kTop - kThick}, {kRadius - 0.12, kTop - 0.25}, {kRadius - 0.1, kTop - 0.2});
-  p.line({kRadius, kTop - 0.2})
-      .line({kRadius, kTop - 0.06})
-      .arc({kRadius - 0.06, kTop}, kQuarter)
-      .line({0, kTop});
+  p.line({kRadius, kTop - 0.2}).line({kRadius, kTop - 0.06}).arc({kRadius - 0.06, kTop}, kQuarter).line({0, kTop});
   std::vector<Patch> patches = turned(p, rim, fineness);
   patches.back().rows = rings;
   return patches;

@@ -10,8 +10,7 @@ constexpr double kMerlonShare = 0.6;  // of the circle; the gaps take the rest
 
 /// Angle of the battlements at v of a stretch: merlon, gap, merlon, ...
 double battlement_rad(int stretch, double v) {
-  const double begin = stretch % 2 == 0 ? 0 : kMerlonShare,
-               width = stretch % 2 == 0 ? kMerlonShare : 1 - kMerlonShare;
+  const double begin = stretch % 2 == 0 ? 0 : kMerlonShare, width = stretch % 2 == 0 ? kMerlonShare : 1 - kMerlonShare;
   const double turn = (stretch / 2 + begin + v * width) / kMerlons;
   return 2 * kPi * turn;
 }
@@ -117,8 +116,8 @@ std::vector<Patch> bishop_patches(const Profile& body, const Fineness& fineness)
     const auto surface = [=](double share, double low,
                              double v) {  // of the way from edge to end of the curve
       const double angle = angle_rad(stretch, v);
-      return mitre.on_curve(
-          low < 0 ? share * mitre.edge(angle, -1) : glm::mix(mitre.edge(angle, 1), 1.0, share), angle);
+      return mitre.on_curve(low < 0 ? share * mitre.edge(angle, -1) : glm::mix(mitre.edge(angle, 1), 1.0, share),
+                            angle);
     };
     add(rows, false, [=](double u, double v) { return surface(u, -1, v); });
     add(rows, false, [=](double u, double v) { return surface(u, 1, v); });
@@ -135,8 +134,7 @@ std::vector<Patch> bishop_patches(const Profile& body, const Fineness& fineness)
   });
   add(1, false, [=](double u, double v) {
     const double angle = angle_rad(1, v);
-    return glm::mix(mitre.on_curve(mitre.edge(angle, -1), angle), mitre.on_curve(mitre.edge(angle, 1), angle),
-                    u);
+    return glm::mix(mitre.on_curve(mitre.edge(angle, -1), angle), mitre.on_curve(mitre.edge(angle, 1), angle), u);
   });
   return patches;
 }

@@ -124,8 +124,7 @@ struct Horse {
     if (p.y > 0.85) {
       // Ears: leaves, hollow in front.
       double ear = round_cone(p, {0.000, 0.995, 0.056}, {0.012, 1.090, 0.070}, 0.046, 0.030);
-      ear =
-          smooth_union(ear, round_cone(p, {0.012, 1.080, 0.068}, {0.030, 1.165, 0.066}, 0.032, 0.006), 0.02);
+      ear = smooth_union(ear, round_cone(p, {0.012, 1.080, 0.068}, {0.030, 1.165, 0.066}, 0.032, 0.006), 0.02);
       ear = smooth_cut(ear, round_cone(p, {0.058, 1.040, 0.078}, {0.052, 1.125, 0.078}, 0.030, 0.012), 0.012);
       d = smooth_union(d, ear, 0.018);
     }
@@ -148,8 +147,7 @@ struct Horse {
 
 TriangleMesh carve_knight(int64_t triangles) {
   constexpr double kTrianglesPerSquare = 4.4;  // of an edge's side
-  const double edge =
-      std::sqrt(kTrianglesPerSquare * kArea / static_cast<double>(std::max<int64_t>(triangles, 100)));
+  const double edge = std::sqrt(kTrianglesPerSquare * kArea / static_cast<double>(std::max<int64_t>(triangles, 100)));
   return carve(Horse(), {-0.36, 0.24, -0.27}, {0.42, 1.16, 0.27}, edge);
 }
 

@@ -54,8 +54,7 @@ uint32_t ChessMaterials::find(std::string_view name, bool mirror) {
   HRT_CHECK(recipe != std::end(kRecipes));
   Material made = cook(*recipe, plain_, mirror);
   std::vector<Material>& all = scene_.materials;
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Material& m) { return m.name == made.name; });
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Material& m) { return m.name == made.name; });
   const auto index = static_cast<uint32_t>(found - all.begin());
   if (found == all.end()) all.push_back(std::move(made));
   return index;

@@ -22,8 +22,8 @@ Profile foot(double radius) {
 Profile& stem(Profile& p, double neck_radius, double neck_height) {
   const dvec2 from = p.end();
   const double rise = neck_height - from.y;
-  return p.curve({from.x - 0.45 * (from.x - neck_radius), from.y + 0.10 * rise},
-                 {neck_radius, from.y + 0.42 * rise}, {neck_radius, neck_height});
+  return p.curve({from.x - 0.45 * (from.x - neck_radius), from.y + 0.10 * rise}, {neck_radius, from.y + 0.42 * rise},
+                 {neck_radius, neck_height});
 }
 
 /// A collar: a flared underside, a sharp-edged disc, and a thinner ring on top; ends on `top_radius`.
@@ -89,9 +89,7 @@ Profile king() {
   double y = p.end().y;
   p.line({0.120, y + 0.016}).line({0.138, y + 0.016}).bead(0.03, 0.015).line({0.122, y + 0.046});
   y = p.end().y;
-  p.curve({0.124, y + 0.10}, {0.170, y + 0.17}, {0.205, y + 0.235})
-      .line({0.216, y + 0.235})
-      .bead(0.024, 0.01);
+  p.curve({0.124, y + 0.10}, {0.170, y + 0.17}, {0.205, y + 0.235}).line({0.216, y + 0.235}).bead(0.024, 0.01);
   p.line({0.198, y + 0.259}).curve({0.170, y + 0.292}, {0.09, y + 0.300}, {0.064, y + 0.318});
   p.line({0.074, y + 0.318}).bead(0.026, 0.013).line({0.05, y + 0.344});
   return p.curve({0.045, y + 0.356}, {0.02, y + 0.36}, {0, y + 0.36});
@@ -107,18 +105,12 @@ Profile knight() {
 
 std::vector<std::vector<Patch>> turned_parts(ChessPiece piece, const Fineness& fineness) {
   switch (piece) {
-    case ChessPiece::pawn:
-      return {turned(pawn(), circle(), fineness)};
-    case ChessPiece::rook:
-      return {rook(fineness)};
-    case ChessPiece::knight:
-      return {turned(knight(), circle(), fineness)};
-    case ChessPiece::bishop:
-      return {bishop(fineness)};
-    case ChessPiece::queen:
-      return {queen(fineness)};
-    case ChessPiece::king:
-      break;
+    case ChessPiece::pawn: return {turned(pawn(), circle(), fineness)};
+    case ChessPiece::rook: return {rook(fineness)};
+    case ChessPiece::knight: return {turned(knight(), circle(), fineness)};
+    case ChessPiece::bishop: return {bishop(fineness)};
+    case ChessPiece::queen: return {queen(fineness)};
+    case ChessPiece::king: break;
   }
   const Profile body = king();
   return {turned(body, circle(), fineness), cross_patches(body.end().y + kAir, fineness)};

@@ -5,8 +5,8 @@
 namespace hybridrt {
 namespace {
 
-constexpr ChessPiece P = ChessPiece::pawn, R = ChessPiece::rook, N = ChessPiece::knight,
-                     B = ChessPiece::bishop, Q = ChessPiece::queen, K = ChessPiece::king;
+constexpr ChessPiece P = ChessPiece::pawn, R = ChessPiece::rook, N = ChessPiece::knight, B = ChessPiece::bishop,
+                     Q = ChessPiece::queen, K = ChessPiece::king;
 constexpr ChessFinish wood = ChessFinish::plain, glass = ChessFinish::glass, metal = ChessFinish::metal;
 
 struct Square {
@@ -46,8 +46,7 @@ std::vector<ChessMan> immortal_game() {
       // Nobody puts them quite in the middle.
       const double dx = 0.09 * (next_unit(state) - 0.5), dz = 0.09 * (next_unit(state) - 0.5);
       const double turn_deg = s.turn_deg + 16 * (next_unit(state) - 0.5);
-      men.push_back(
-          {s.piece, white, {s.file - 'a' - 3.5 + dx, 4.5 - s.rank + dz}, turn_deg, s.finish, false});
+      men.push_back({s.piece, white, {s.file - 'a' - 3.5 + dx, 4.5 - s.rank + dz}, turn_deg, s.finish, false});
     }
   };
   stand(kWhite, true);

@@ -81,8 +81,7 @@ void use_face_normals_where_others_fail(TriangleMesh& mesh) {
     for (int k = 0; k < 3; ++k) {
       uint32_t& normal = mesh.triangle_normals[t][k];
       if (glm::dot(face, dvec3(mesh.normals[normal])) > 0.02) continue;
-      if (own == kNoTriangle)
-        own = static_cast<uint32_t>(mesh.normals.size()), mesh.normals.emplace_back(face);
+      if (own == kNoTriangle) own = static_cast<uint32_t>(mesh.normals.size()), mesh.normals.emplace_back(face);
       normal = own;
     }
   }

@@ -22,13 +22,9 @@ Scene make_with(const ProceduralOptions& options) {
 
 template <typename Options, Scene (*make)(const Options&)>
 constexpr ProceduralScene entry(std::string_view name, std::string_view about, SceneShot (*shot)()) {
-  return {name,
-          about,
-          Options::kFewestTriangles,
-          Options::kMostTriangles,
-          Options().triangles,
-          make_with<Options, make>,
-          shot};
+  return {
+      name, about, Options::kFewestTriangles, Options::kMostTriangles, Options().triangles, make_with<Options, make>,
+      shot};
 }
 
 constexpr ProceduralScene kScenes[] = {

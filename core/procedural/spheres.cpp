@@ -62,8 +62,7 @@ void add_ground(Scene& scene, const SpheresPlan& plan, uint32_t material) {
   scene.normals.emplace_back(0, 1, 0);
   for (int z = 0; z <= plan.ground_z; ++z)
     for (int x = 0; x <= plan.ground_x; ++x)
-      scene.positions.emplace_back(half * (2.0 * x / plan.ground_x - 1), 0,
-                                   half * (2.0 * z / plan.ground_z - 1));
+      scene.positions.emplace_back(half * (2.0 * x / plan.ground_x - 1), 0, half * (2.0 * z / plan.ground_z - 1));
   const auto row = static_cast<uint32_t>(plan.ground_x + 1);
   for (int z = 0; z < plan.ground_z; ++z)
     for (int x = 0; x < plan.ground_x; ++x) {
@@ -123,13 +122,11 @@ std::vector<uint32_t> paint_balls(const SpheresPlan& plan, Scene& scene) {
 }  // namespace
 
 SpheresPlan plan_spheres(const SpheresOptions& options) {
-  if (options.triangles < SpheresOptions::kFewestTriangles ||
-      options.triangles > SpheresOptions::kMostTriangles)
-    throw error(ErrorKind::usage, "spheres: triangles must be {} to {}, not {}",
-                SpheresOptions::kFewestTriangles, SpheresOptions::kMostTriangles, options.triangles);
+  if (options.triangles < SpheresOptions::kFewestTriangles || options.triangles > SpheresOptions::kMostTriangles)
+    throw error(ErrorKind::usage, "spheres: triangles must be {} to {}, not {}", SpheresOptions::kFewestTriangles,
+                SpheresOptions::kMostTriangles, options.triangles);
   if (!(options.reflective_percent >= 0 && options.reflective_percent <= 100))
-    throw error(ErrorKind::usage, "spheres: reflective must be 0 to 100 (percent), not {}",
-                options.reflective_percent);
+    throw error(ErrorKind::usage, "spheres: reflective must be 0 to 100 (percent), not {}", options.reflective_percent);
 
   SpheresPlan plan;
   // 10 x 10 balls at 500,000 triangles; thirty-two times the triangles, twice the side.
@@ -161,8 +158,7 @@ Scene make_spheres(const SpheresOptions& options) {
     const dvec3 center(ball % plan.side - 0.5 * (plan.side - 1), kGap + kRadius,
                        ball / plan.side - 0.5 * (plan.side - 1));
     const auto first = static_cast<uint32_t>(scene.positions.size());
-    for (const vec3& direction : directions)
-      scene.positions.emplace_back(center + kRadius * dvec3(direction));
+    for (const vec3& direction : directions) scene.positions.emplace_back(center + kRadius * dvec3(direction));
     for (const uvec3& t : triangles) add_triangle(scene, t + first, t + first_normal, materials[ball]);
   }
   scene.bounds = compute_bounds(scene);

@@ -22,7 +22,7 @@ struct SpheresPlan {
   int side = 0;                    ///< side * side balls
   int rings = 0, segments = 0;     ///< of each ball, from pole to pole and around
   int ground_x = 0, ground_z = 0;  ///< cells of the ground, two triangles each
-  std::vector<char> is_mirror;  ///< of each ball. Nested: a ball that is one stays one at a higher percentage
+  std::vector<char> is_mirror;     ///< of each ball. Nested: a ball that is one stays one at a higher percentage
 
   int balls() const { return side * side; }
   int64_t ball_triangles() const { return int64_t{2} * segments * (rings - 1); }

@@ -23,9 +23,8 @@ constexpr Paint kSoil{"soil", {0.20f, 0.14f, 0.085f}}, kWood{"whitewash", {0.62f
     kSteel{"steel", {0.20f, 0.21f, 0.23f}}, kPost{"post", {0.24f, 0.15f, 0.08f}},
     kBrick{"brick", {0.55f, 0.16f, 0.10f}}, kSlate{"slate", {0.13f, 0.27f, 0.45f}},
     kOchre{"ochre", {0.62f, 0.38f, 0.10f}};
-constexpr std::array<Paint, 3> kGrass = {{{"grass", {0.16f, 0.30f, 0.06f}},
-                                          {"grass_pale", {0.28f, 0.36f, 0.10f}},
-                                          {"grass_dark", {0.08f, 0.20f, 0.05f}}}};
+constexpr std::array<Paint, 3> kGrass = {
+    {{"grass", {0.16f, 0.30f, 0.06f}}, {"grass_pale", {0.28f, 0.36f, 0.10f}}, {"grass_dark", {0.08f, 0.20f, 0.05f}}}};
 
 /// A closed surface, in place.
 struct Part {
@@ -43,8 +42,7 @@ void add_fence(std::vector<Part>& parts) {
     const dvec3 foot = on_ground(x, kZ, 0.03);
     parts.push_back({box(foot - dvec3(0.06, 0, 0.015), dvec3(x + 0.06, 1.28, kZ + 0.015), 0.10), kWood});
   }
-  for (const double y : {0.52, 1.02})
-    parts.push_back({box({-8, y, kZ - 0.06}, {8.1, y + 0.09, kZ - 0.019}), kWood});
+  for (const double y : {0.52, 1.02}) parts.push_back({box({-8, y, kZ - 0.06}, {8.1, y + 0.09, kZ - 0.019}), kWood});
 }
 
 /// Overhead wires on three poles, and a screen of thin wire.
@@ -57,8 +55,7 @@ void add_wires(std::vector<Part>& parts, int cells) {
     const double y = 2.15 + 0.11 * i, sag = 0.25 + 0.04 * (i % 3);
     // Past the poles, a finger's width in front of them.
     const auto path = [=](double t) {
-      const double along =
-          2 * std::abs(2 * t - 1) - 1;  // -1 in the middle of a span's end, 1 at the outer ends
+      const double along = 2 * std::abs(2 * t - 1) - 1;  // -1 in the middle of a span's end, 1 at the outer ends
       return dvec3(-9 + 18.2 * t, y - sag * (1 - along * along), -1.12);
     };
     parts.push_back({tube(path, 0.0035, 5, cells), kSteel});
@@ -67,15 +64,13 @@ void add_wires(std::vector<Part>& parts, int cells) {
   for (int i = 0; i < 30; ++i) {
     const dvec3 from = on_ground(kLeft + kPitch * i, kScreenZ, 0.05);
     parts.push_back(
-        {tube([=](double t) { return dvec3(from.x, glm::mix(from.y, 1.35, t), from.z); }, 0.003, 5, 1),
-         kSteel});
+        {tube([=](double t) { return dvec3(from.x, glm::mix(from.y, 1.35, t), from.z); }, 0.003, 5, 1), kSteel});
   }
   for (int i = 0; i < 16; ++i) {
     const double y = 0.22 + kPitch * i;
-    parts.push_back(
-        {tube([=](double t) { return dvec3(kLeft - 0.05 + t * (29 * kPitch + 0.1), y, kScreenZ + 0.0075); },
-              0.003, 5, 1),
-         kSteel});
+    parts.push_back({tube([=](double t) { return dvec3(kLeft - 0.05 + t * (29 * kPitch + 0.1), y, kScreenZ + 0.0075); },
+                          0.003, 5, 1),
+                     kSteel});
   }
 }
 
@@ -88,15 +83,13 @@ void add_grating(std::vector<Part>& parts) {
   }
   for (int i = 0; i <= 14; ++i) {
     const double z = kZ + 0.05 + (kDeep - 0.1) * i / 14;
-    parts.push_back(
-        {box({kX - 0.03, kTop + 0.002, z - 0.005}, {kX + kWide + 0.03, kTop + 0.012, z + 0.005}), kSteel});
+    parts.push_back({box({kX - 0.03, kTop + 0.002, z - 0.005}, {kX + kWide + 0.03, kTop + 0.012, z + 0.005}), kSteel});
   }
   for (const double x : {kX + 0.04, kX + kWide - 0.04})
     for (const double z : {kZ + 0.06, kZ + kDeep - 0.06}) {
       const dvec3 foot = on_ground(x, z);
       parts.push_back(
-          {tube([=](double t) { return dvec3(x, glm::mix(foot.y, kTop - 0.074, t), z); }, 0.03, 8, 1),
-           kSteel});
+          {tube([=](double t) { return dvec3(x, glm::mix(foot.y, kTop - 0.074, t), z); }, 0.03, 8, 1), kSteel});
     }
 }
 
@@ -105,18 +98,16 @@ struct Round {
   Paint paint;
   bool mirror, is_ring;
 };
-constexpr Round kRounds[] = {
-    {-1.6, 1.4, 0.55, kBrick, false, false},  {0.2, 3.0, 0.34, kSlate, true, false},
-    {-3.1, 3.6, 0.42, kOchre, false, true},   {1.1, 0.4, 0.48, kOchre, true, false},
-    {-6.4, -1.2, 0.70, kSlate, false, false}, {3.3, 3.4, 0.50, kBrick, false, true},
-    {6.6, 2.2, 0.62, kSlate, true, false},    {-0.6, -1.9, 0.45, kBrick, false, true}};
+constexpr Round kRounds[] = {{-1.6, 1.4, 0.55, kBrick, false, false},  {0.2, 3.0, 0.34, kSlate, true, false},
+                             {-3.1, 3.6, 0.42, kOchre, false, true},   {1.1, 0.4, 0.48, kOchre, true, false},
+                             {-6.4, -1.2, 0.70, kSlate, false, false}, {3.3, 3.4, 0.50, kBrick, false, true},
+                             {6.6, 2.2, 0.62, kSlate, true, false},    {-0.6, -1.9, 0.45, kBrick, false, true}};
 
 void add_rounds(std::vector<Part>& parts, int around) {
   for (const Round& r : kRounds) {
     const dvec3 middle = on_ground(r.x, r.z, 1.08 * r.radius + (r.is_ring ? 0.25 * r.radius : 0));
-    Part part{
-        r.is_ring ? ring(r.radius, 0.25 * r.radius, around, std::max(4, around / 3)) : ball(r.radius, around),
-        r.paint, r.mirror};
+    Part part{r.is_ring ? ring(r.radius, 0.25 * r.radius, around, std::max(4, around / 3)) : ball(r.radius, around),
+              r.paint, r.mirror};
     for (Patch& patch : part.patches)
       patch.at = [at = std::move(patch.at), middle](double u, double v) { return middle + at(u, v); };
     parts.push_back(std::move(part));
@@ -154,8 +145,8 @@ void add_grass(std::array<TriangleMesh, 2 * kGrass.size()>& meshes, int64_t blad
     const double bent = height * (0.15 + 0.5 * next_unit(state)), toward = turn_rad + 0.6;
     const dvec3 lean(bent * std::cos(toward) + 0.05, -0.2 * bent, bent * std::sin(toward));
     const size_t tone = next_random(state) % kGrass.size();
-    add_blade(meshes[2 * tone + is_mirror[blade]], on_ground(x, z), lean, height,
-              0.010 + 0.012 * next_unit(state), turn_rad);
+    add_blade(meshes[2 * tone + is_mirror[blade]], on_ground(x, z), lean, height, 0.010 + 0.012 * next_unit(state),
+              turn_rad);
   }
 }
 
@@ -197,8 +188,7 @@ Scene make_thin(const ThinOptions& options) {
   std::array<TriangleMesh, 2 * kGrass.size()> grass;
   add_grass(grass, blades, is_mirror.data() + parts.size());
   for (size_t i = 0; i < grass.size(); ++i)
-    if (!grass[i].positions.empty())
-      add_mesh(scene, grass[i], {}, find_material(scene, kGrass[i / 2], i % 2 != 0));
+    if (!grass[i].positions.empty()) add_mesh(scene, grass[i], {}, find_material(scene, kGrass[i / 2], i % 2 != 0));
   scene.bounds = compute_bounds(scene);
   validate(scene);
   return scene;

@@ -48,8 +48,7 @@ std::vector<Patch> tube(std::function<dvec3(double)> path, double radius, int si
   const auto surface = [path = std::move(path), radius](double along, double v, double width) {
     const dvec3 middle = path(along);
     const dvec3 way = glm::normalize(path(along + 1e-4) - path(along - 1e-4));
-    const dvec3 aside =
-        glm::normalize(glm::cross(way, std::abs(way.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
+    const dvec3 aside = glm::normalize(glm::cross(way, std::abs(way.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
     const dvec3 upward = glm::cross(aside, way);
     const double angle = -2 * kPi * v;
     return middle + width * radius * (std::cos(angle) * upward + std::sin(angle) * aside);
@@ -83,8 +82,7 @@ std::vector<Patch> ball(double radius, int around) {
   return patches;
 }
 
-void add_blade(TriangleMesh& mesh, const dvec3& root, const dvec3& lean, double height, double width,
-               double turn_rad) {
+void add_blade(TriangleMesh& mesh, const dvec3& root, const dvec3& lean, double height, double width, double turn_rad) {
   const auto first = static_cast<uint32_t>(mesh.positions.size());
   constexpr double kJoints[] = {0, 0.38, 0.74}, kWidths[] = {1, 0.8, 0.45};
   for (int joint = 0; joint < 3; ++joint) {
@@ -92,8 +90,7 @@ void add_blade(TriangleMesh& mesh, const dvec3& root, const dvec3& lean, double 
     const dvec3 middle = root + dvec3(0, height * t, 0) + t * t * lean;
     for (int k = 0; k < 3; ++k) {
       const double angle = turn_rad + 2 * kPi * k / 3;
-      mesh.positions.emplace_back(middle +
-                                  0.5 * width * kWidths[joint] * dvec3(std::cos(angle), 0, -std::sin(angle)));
+      mesh.positions.emplace_back(middle + 0.5 * width * kWidths[joint] * dvec3(std::cos(angle), 0, -std::sin(angle)));
     }
   }
   mesh.positions.emplace_back(root + dvec3(0, height, 0) + lean);

@@ -27,7 +27,6 @@ std::vector<Patch> ball(double radius, int around);
 /// A blade of grass: a triangular stem of two joints that ends in a point, kBladeTriangles triangles, bent
 /// toward `lean`. Appended to `mesh` with flat normals.
 inline constexpr int kBladeTriangles = 16;
-void add_blade(TriangleMesh& mesh, const dvec3& root, const dvec3& lean, double height, double width,
-               double turn_rad);
+void add_blade(TriangleMesh& mesh, const dvec3& root, const dvec3& lean, double height, double width, double turn_rad);
 
 }  // namespace hybridrt

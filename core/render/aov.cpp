@@ -13,8 +13,7 @@ namespace {
 template <typename Body>
 void for_each_kept(const View& view, const PixelRect& kept, const Body& body) {
   for (int y = kept.y_px; y < kept.y_px + kept.height_px; ++y)
-    for (int x = kept.x_px; x < kept.x_px + kept.width_px; ++x)
-      body(static_cast<size_t>(y) * view.width_px + x, x, y);
+    for (int x = kept.x_px; x < kept.x_px + kept.width_px; ++x) body(static_cast<size_t>(y) * view.width_px + x, x, y);
 }
 
 /// Neighbouring numbers get unlike colours (the finaliser of MurmurHash3).
@@ -45,16 +44,16 @@ float arriving_share(const AovSource& source, size_t i) {
 
 Surface<double> surface_of(const Scene& scene, const View& view, uint32_t triangle, int x, int y) {
   const dvec3 dir = view.pixel_dir(x, y);
-  const dvec3 weights = clamped_barycentrics(dvec3(scene.vertex(triangle, 0)) - view.eye,
-                                             dvec3(scene.vertex(triangle, 1)) - view.eye,
-                                             dvec3(scene.vertex(triangle, 2)) - view.eye, dir);
+  const dvec3 weights =
+      clamped_barycentrics(dvec3(scene.vertex(triangle, 0)) - view.eye, dvec3(scene.vertex(triangle, 1)) - view.eye,
+                           dvec3(scene.vertex(triangle, 2)) - view.eye, dir);
   return surface_at(scene, triangle, weights.y, weights.z, dir);
 }
 
 }  // namespace
 
-std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept,
-                                  const AovSource& source, uint32_t aovs) {
+std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept, const AovSource& source,
+                                  uint32_t aovs) {
   const auto id = [&](size_t i) { return source.ids.empty() ? kNoTriangle : source.ids[i]; };
   const size_t pixel_count = static_cast<size_t>(view.width_px) * view.height_px;
   std::vector<ImageLayer> layers;
@@ -75,8 +74,7 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
     ImageLayer& layer = layers.emplace_back(ImageLayer{"id", {""}, {}, {}});
     for_each_kept(view, kept, [&](size_t i, int, int) { layer.numbers.push_back(id(i)); });
   }
-  if (aovs & kAovShadow)
-    add_values("shadow", [&](size_t i, int, int) { return arriving_share(source, i); });
+  if (aovs & kAovShadow) add_values("shadow", [&](size_t i, int, int) { return arriving_share(source, i); });
   if (aovs & kAovMarked)
     add_values("marked", [&](size_t i, int, int) {
       unsigned bits = 0;
@@ -92,8 +90,7 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
   if (aovs & kAovDepth)
     add_values("depth", [&](size_t i, int x, int y) {
       if (id(i) == kNoTriangle) return 0.0f;
-      return static_cast<float>(
-          glm::dot(surface_of(scene, view, id(i), x, y).point - view.eye, view.forward));
+      return static_cast<float>(glm::dot(surface_of(scene, view, id(i), x, y).point - view.eye, view.forward));
     });
   if (aovs & kAovNormal)
     add_vectors("normal", {"X", "Y", "Z"}, [&](size_t i, int x, int y) {

@@ -24,8 +24,8 @@ struct AovSource {
 ///  - traced: R, G, B, linear
 ///  - depth: distance along the view, in scene units
 ///  - normal: X, Y, Z of the shading normal, -1..1
-std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept,
-                                  const AovSource& source, uint32_t aovs);
+std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept, const AovSource& source,
+                                  uint32_t aovs);
 
 /// An AOV as a picture to look at, linear: ids hashed to colours, depth as a share of the picture's farthest,
 /// normals as (n + 1) / 2, black where nothing is seen.

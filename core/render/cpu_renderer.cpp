@@ -1,9 +1,9 @@
 #include "core/render/cpu_renderer.h"
 
+#include "core/base/timing.h"
+#include "core/passes_cpu/trace_pass.h"
 #include "core/render/aov.h"
 #include "core/render/kept_light_buffers.h"
-#include "core/passes_cpu/trace_pass.h"
-#include "core/base/timing.h"
 
 namespace hybridrt {
 
@@ -40,8 +40,8 @@ void render_on_cpu(const Scene& scene, const RenderSettings& settings, const Ray
   }
 }
 
-template void render_on_cpu(const Scene&, const RenderSettings&, const RayCaster<float>&, ThreadPool&,
-                            const NextFrame&, const DeliverFrame&);
+template void render_on_cpu(const Scene&, const RenderSettings&, const RayCaster<float>&, ThreadPool&, const NextFrame&,
+                            const DeliverFrame&);
 template void render_on_cpu(const Scene&, const RenderSettings&, const RayCaster<double>&, ThreadPool&,
                             const NextFrame&, const DeliverFrame&);
 

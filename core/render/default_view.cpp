@@ -14,9 +14,9 @@ namespace {
 constexpr int kWidth_px = 32, kHeight_px = 24;
 constexpr double kMostlyBackFaces = 0.6;  // more than this share: a room seen from outside
 constexpr double kHardlyAnyBackFaces = 0.05;
-constexpr double kMoreInside = 1.3;           // that many times the triangles seen from outside: a building
-constexpr double kClosed = 0.95;              // share of rays from inside that meet a wall
-constexpr double kRoofed = 0.8;               // the same where walls are known to be walls by their back faces
+constexpr double kMoreInside = 1.3;  // that many times the triangles seen from outside: a building
+constexpr double kClosed = 0.95;     // share of rays from inside that meet a wall
+constexpr double kRoofed = 0.8;      // the same where walls are known to be walls by their back faces
 constexpr int kAzimuths = 16;
 constexpr double kSway_rad = 14 * kPi / 180, kLookInElevation_rad = 4 * kPi / 180;
 

@@ -57,7 +57,8 @@ uint64_t fingerprint(const Scene& scene) {
   hash.values(std::span(scene.triangle_materials));
   for (const Material& m : scene.materials) {
     for (const vec3& color : {m.kd, m.ks, m.ke, m.reflect, m.transmit}) hash.vector(color);
-    for (double x : {static_cast<double>(m.ns), static_cast<double>(m.ni), static_cast<double>(m.opacity)}) hash.value(x);
+    for (double x : {static_cast<double>(m.ns), static_cast<double>(m.ni), static_cast<double>(m.opacity)})
+      hash.value(x);
     hash.word(static_cast<uint64_t>(m.fresnel));
   }
   if (scene.textures) {

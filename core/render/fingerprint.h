@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/render/frame_plan.h"
-
 #include <cstdint>
+
+#include "core/render/frame_plan.h"
 
 namespace hybridrt {
 

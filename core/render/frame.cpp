@@ -1,8 +1,8 @@
 #include "core/render/frame.h"
 
-#include "core/base/error.h"
-
 #include <algorithm>
+
+#include "core/base/error.h"
 
 namespace hybridrt {
 

@@ -1,21 +1,21 @@
 #pragma once
 
-#include "core/image/image.h"
-#include "core/render/frame_plan.h"
-#include "core/render/frame_timings.h"
-#include "core/trace/trace_job.h"
-
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "core/image/image.h"
+#include "core/render/frame_plan.h"
+#include "core/render/frame_timings.h"
+#include "core/trace/trace_job.h"
 
 namespace hybridrt {
 
 /// A finished frame.
 struct Frame {
   int number = 1;
-  Image picture;  ///< three channels, linear
+  Image picture;                 ///< three channels, linear
   std::vector<ImageLayer> aovs;  ///< what else was asked for (aov.h), of the same pixels
   FrameTimings timings;
   TraceStats stats;
@@ -29,8 +29,8 @@ using NextFrame = std::function<std::optional<FrameRequest>()>;
 using DeliverFrame = std::function<void(Frame&&)>;
 
 /// Splits RGBA pixels (alpha 1 where a surface is seen, 0 elsewhere), or the part `kept` of them, into a
-/// three-channel picture and the number of its pixels that see a surface. Throws Error(device) at any other alpha: the pixels were never
-/// written.
+/// three-channel picture and the number of its pixels that see a surface. Throws Error(device) at any other alpha: the
+/// pixels were never written.
 Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const PixelRect& kept, int64_t& pixels_hit);
 
 }  // namespace hybridrt

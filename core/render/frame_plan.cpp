@@ -20,8 +20,7 @@ bool may_be_seen(const View& view, const Aabb& box) {
   // Inward normals of the four side planes through the eye, and the plane of the eye itself.
   const dvec3 planes[] = {view.forward, view.tan_half_width * view.forward + view.right,
                           view.tan_half_width * view.forward - view.right,
-                          view.tan_half_height * view.forward + view.up,
-                          view.tan_half_height * view.forward - view.up};
+                          view.tan_half_height * view.forward + view.up, view.tan_half_height * view.forward - view.up};
   for (const dvec3& plane : planes) {
     const dvec3 farthest(plane.x > 0 ? box.hi.x : box.lo.x, plane.y > 0 ? box.hi.y : box.lo.y,
                          plane.z > 0 ? box.hi.z : box.lo.z);

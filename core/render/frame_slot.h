@@ -1,17 +1,17 @@
 #pragma once
 
-#include "core/gl/readback.h"
-#include "core/gl/timer_query.h"
-#include "core/render/frame_plan.h"
-#include "core/render/frame.h"
-#include "core/render/frame_timings.h"
-#include "core/passes_cpu/mark_boundary.h"
-
 #include <array>
 #include <cstdint>
 #include <future>
 #include <span>
 #include <vector>
+
+#include "core/gl/readback.h"
+#include "core/gl/timer_query.h"
+#include "core/passes_cpu/mark_boundary.h"
+#include "core/render/frame.h"
+#include "core/render/frame_plan.h"
+#include "core/render/frame_timings.h"
 
 namespace hybridrt {
 
@@ -37,11 +37,11 @@ struct FrameSlot {
   std::vector<vec4> traced_pixels;
   TraceStats stats;
   double trace_ms = 0, light_buffer_ms = 0, settle_ms = 0, repair_ms = 0;
-  bool repaired = false;  ///< pass 4 has been there
+  bool repaired = false;                 ///< pass 4 has been there
   std::shared_future<void> traced_done;  ///< pass 4, when it runs beside the GL thread
 
   gl::TimerQuery& timer(PassId pass) { return timers[static_cast<size_t>(pass)]; }
-  std::span<const uint32_t> read_ids() const;      ///< of pass 2, or repaired as soon as they are
+  std::span<const uint32_t> read_ids() const;  ///< of pass 2, or repaired as soon as they are
   std::span<const uint8_t> read_mask() const;  ///< of pass 2 or 3; empty when the plan has none
 };
 

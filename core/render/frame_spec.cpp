@@ -1,12 +1,12 @@
 #include "core/render/frame_spec.h"
 
-#include "core/base/error.h"
-
 #include <algorithm>
 #include <charconv>
 #include <limits>
 #include <numeric>
 #include <utility>
+
+#include "core/base/error.h"
 
 namespace hybridrt {
 namespace {
@@ -15,9 +15,7 @@ constexpr const char* kAllowed = "allowed are 100 (frames 1-100), 1-100, 1-100:5
 
 int64_t count_of(const FrameRange& range) { return (int64_t{range.last} - range.first) / range.step + 1; }
 
-int last_frame(const FrameRange& range) {
-  return static_cast<int>(range.first + (count_of(range) - 1) * range.step);
-}
+int last_frame(const FrameRange& range) { return static_cast<int>(range.first + (count_of(range) - 1) * range.step); }
 
 int parse_number(std::string_view digits, const std::string& whole) {
   int value = 0;
@@ -61,7 +59,8 @@ bool overlap(const FrameRange& a, const FrameRange& b) {
   const int64_t divisor = std::gcd(a.step, b.step), apart = int64_t{b.first} - a.first;
   if (apart % divisor != 0) return false;
   const int64_t modulus = b.step / divisor, cycle = a.step * modulus;
-  const int64_t steps = ((apart / divisor) % modulus + modulus) % modulus * inverse(a.step / divisor, modulus) % modulus;
+  const int64_t steps =
+      ((apart / divisor) % modulus + modulus) % modulus * inverse(a.step / divisor, modulus) % modulus;
   const int64_t begin = std::max(a.first, b.first), end = std::min(last_frame(a), last_frame(b));
   int64_t common = a.first + steps * a.step;
   if (common < begin) common += (begin - common + cycle - 1) / cycle * cycle;

@@ -1,12 +1,12 @@
 #include "core/render/gl_renderer.h"
 
 #include "core/base/check.h"
-#include "core/render/aov.h"
-#include "core/passes_cpu/repair_primary.h"
-#include "core/passes_cpu/mark_boundary.h"
-#include "core/passes_cpu/trace_pass.h"
-#include "shaders/shared.h"
 #include "core/base/timing.h"
+#include "core/passes_cpu/mark_boundary.h"
+#include "core/passes_cpu/repair_primary.h"
+#include "core/passes_cpu/trace_pass.h"
+#include "core/render/aov.h"
+#include "shaders/shared.h"
 
 namespace hybridrt {
 namespace {
@@ -33,8 +33,7 @@ void mark_repaired(FrameSlot& slot) {
 bool needs_caster(const SceneFacts& facts, const RenderSettings& s, bool light_moves) {
   if (s.method != Method::hybrid) return s.method != Method::raster;
   return s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays ||  // primary hits are repaired
-         (s.shadows == ShadowMode::blur && light_moves) ||
-         (s.reflection_depth > 0 && !facts.scattering_bounds.empty());
+         (s.shadows == ShadowMode::blur && light_moves) || (s.reflection_depth > 0 && !facts.scattering_bounds.empty());
 }
 
 GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene,
@@ -104,11 +103,10 @@ void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
       trace(slot);
     } else if (slot.plan.trace()) {
       // Traces follow one another, in the order of the frames.
-      slot.traced_done = previous_trace =
-          std::async(std::launch::async, [this, &slot, previous_trace] {
-            if (previous_trace.valid()) previous_trace.wait();
-            trace(slot);
-          }).share();
+      slot.traced_done = previous_trace = std::async(std::launch::async, [this, &slot, previous_trace] {
+                                            if (previous_trace.valid()) previous_trace.wait();
+                                            trace(slot);
+                                          }).share();
     }
     in_flight.push_back(&slot);
   }
@@ -145,9 +143,9 @@ void GlRenderer::test_shadows(FrameSlot& slot) {
   const FramePlan& plan = slot.plan;
   for (size_t l = 0; l < shadow_maps_.size(); ++l)
     if (plan.casts_shadow(l))
-      shadow_test_pass_.run({scene_gpu_, plan.view, plan.lights[l].toward, shadow_maps_[l].fit, slot.ids,
-                             shadow_maps_[l].depth},
-                            {plan.mark ? unmarked_mask_ : slot.mask, static_cast<int>(l)});
+      shadow_test_pass_.run(
+          {scene_gpu_, plan.view, plan.lights[l].toward, shadow_maps_[l].fit, slot.ids, shadow_maps_[l].depth},
+          {plan.mark ? unmarked_mask_ : slot.mask, static_cast<int>(l)});
 }
 
 void GlRenderer::mark_boundaries(FrameSlot& slot) {
@@ -155,9 +153,9 @@ void GlRenderer::mark_boundaries(FrameSlot& slot) {
   slot.timer(PassId::mark).begin();
   for (size_t l = 0; l < shadow_maps_.size(); ++l)
     if (plan.casts_shadow(l))
-      mark_pass_.run({unmarked_mask_, plan.view.width_px, plan.view.height_px, settings_.blur_kernel_px,
-                      static_cast<int>(l)},
-                     {row_sums_, slot.mask});
+      mark_pass_.run(
+          {unmarked_mask_, plan.view.width_px, plan.view.height_px, settings_.blur_kernel_px, static_cast<int>(l)},
+          {row_sums_, slot.mask});
   slot.timer(PassId::mark).end();
 }
 
@@ -237,8 +235,8 @@ Frame GlRenderer::shade(FrameSlot& slot) {
 
   slot.timer(PassId::shade).begin();
   const gl::TextureArray* mask = plan.trace_shadows ? &slot.lit : plan.shadow_map ? &slot.mask : nullptr;
-  shade_pass_.run({scene_gpu_, plan.view, slot.ids, mask, plan.trace_scattered ? &slot.traced : nullptr,
-                   plan.lights, settings_.ambient, settings_.background},
+  shade_pass_.run({scene_gpu_, plan.view, slot.ids, mask, plan.trace_scattered ? &slot.traced : nullptr, plan.lights,
+                   settings_.ambient, settings_.background},
                   {picture_});
   slot.timer(PassId::shade).end();
 
@@ -253,8 +251,8 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   frame.stats = slot.stats;
   const Stopwatch unpacking;
   const PixelRect kept = kept_of_rendered(settings_);
-  frame.picture =
-      picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), width, height, kept, frame.stats.pixels_hit);
+  frame.picture = picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), width, height, kept,
+                                    frame.stats.pixels_hit);
   const double unpacking_ms = unpacking.elapsed_ms();
   for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
   frame.timings[PassId::id] -= frame.timings[PassId::shadow_map];  // which lies between ids and shadow test

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <deque>
+#include <optional>
+
 #include "core/base/parallel.h"
 #include "core/gl/context.h"
 #include "core/passes_gl/id_buffer.h"
@@ -10,9 +13,6 @@
 #include "core/render/kept_light_buffers.h"
 #include "core/render/visible_receivers.h"
 #include "core/trace/ray_caster.h"
-
-#include <deque>
-#include <optional>
 
 namespace hybridrt {
 
@@ -33,12 +33,12 @@ class GlRenderer {
   void render(const NextFrame& next, const DeliverFrame& deliver);
 
  private:
-  void rasterize(FrameSlot& slot);  ///< passes 1-3, starts the readback and waits for it
+  void rasterize(FrameSlot& slot);           ///< passes 1-3, starts the readback and waits for it
   void update_shadow_maps(FrameSlot& slot);  ///< after its ids
   void test_shadows(FrameSlot& slot);        ///< pass 2's second step
   void mark_boundaries(FrameSlot& slot);     ///< pass 3 on the GPU
-  void trace(FrameSlot& slot);      ///< pass 4; any thread
-  Frame shade(FrameSlot& slot);     ///< pass 5; waits for pass 4
+  void trace(FrameSlot& slot);               ///< pass 4; any thread
+  Frame shade(FrameSlot& slot);              ///< pass 5; waits for pass 4
 
   const gl::Functions& gl_;
   const Scene& scene_;

@@ -36,7 +36,7 @@ bool uses_gl(const RenderSettings& s) { return s.method == Method::hybrid || s.m
 /// The formats are those of GlRenderer and FrameSlot.
 size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t pixels = rendered_pixels(s);
-  const size_t depth = 4, picture = 16 + 16;  // and its readback
+  const size_t depth = 4, picture = 16 + 16;          // and its readback
   const size_t slot = 4 * 2 + lights * (2 + 1) + 16;  // ids and mask with their readbacks, lit, traced
   size_t bytes = pixels * (depth + picture + s.frames_in_flight * slot);
   if (uses_shadow_map(s)) {

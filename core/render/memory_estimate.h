@@ -23,8 +23,8 @@ struct MemoryEstimate {
 MemoryEstimate estimate_frame_memory(const RenderSettings& settings, size_t light_count, int threads,
                                      int64_t frame_count);
 
-MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const RenderSettings& settings,
-                               Accel accel, size_t light_count, bool light_moves, int threads, int64_t frame_count);
+MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const RenderSettings& settings, Accel accel,
+                               size_t light_count, bool light_moves, int threads, int64_t frame_count);
 
 /// Throws Error (usage) that says what to do, if the frames alone need more than `most_bytes`. What is on the GPU
 /// counts too: a software GL keeps it in main memory.

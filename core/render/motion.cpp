@@ -17,8 +17,7 @@ Camera camera_at(const CameraMotion& motion, int frame) {
   if (const auto* still = std::get_if<Camera>(&motion.course)) return *still;
   if (const auto* path = std::get_if<CameraPath>(&motion.course)) return camera_on_path(*path, frame);
   const double length = static_cast<double>(motion.sequence.last) - motion.sequence.first + 1;
-  return camera_on_orbit(std::get<Orbit>(motion.course),
-                         (static_cast<double>(frame) - motion.sequence.first) / length);
+  return camera_on_orbit(std::get<Orbit>(motion.course), (static_cast<double>(frame) - motion.sequence.first) / length);
 }
 
 std::vector<DirectionalLight> lights_at(const LightMotion& motion, const CameraMotion& camera, int frame) {

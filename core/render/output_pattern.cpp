@@ -29,8 +29,7 @@ std::optional<Placeholder> braces_at(const std::string& text, size_t begin) {
     if (valid) found.digits = std::max(1, std::stoi(std::string(number)));
   }
   if (!valid)
-    throw error(ErrorKind::usage,
-                "output '{}': '{}' is no placeholder; write ####, {{frame}} or {{frame:04}}", text,
+    throw error(ErrorKind::usage, "output '{}': '{}' is no placeholder; write ####, {{frame}} or {{frame:04}}", text,
                 text.substr(begin, end == std::string::npos ? end : found.length));
   return found;
 }
@@ -90,8 +89,8 @@ OutputPattern parse_output_pattern(const std::string& text, bool several_frames)
   if (pattern.name.empty() || pattern.name == "." || pattern.name == "..")
     throw error(ErrorKind::usage, "output '{}' names a folder; add a file name, as in {}name.####.png", text,
                 pattern.folder);
-  const bool numbered = next_placeholder(pattern.folder, 0, false).has_value() |
-                        next_placeholder(pattern.name, 0, true).has_value();
+  const bool numbered =
+      next_placeholder(pattern.folder, 0, false).has_value() | next_placeholder(pattern.name, 0, true).has_value();
   if (several_frames && !numbered) pattern.name.insert(extension_begin(pattern.name), ".####");
   return pattern;
 }

@@ -9,9 +9,7 @@ namespace {
 
 StepNote left_out(std::string_view step, std::string why) { return {step, Runs::never, std::move(why)}; }
 
-std::string shadows_option(const RenderSettings& s) {
-  return fmt::format("--shadows {}", name_of(s.shadows));
-}
+std::string shadows_option(const RenderSettings& s) { return fmt::format("--shadows {}", name_of(s.shadows)); }
 
 std::string pixels(const RenderSettings& s) { return fmt::format("{} x {} pixels", s.width_px, s.height_px); }
 
@@ -93,18 +91,15 @@ StepNote light_buffer_note(const FramePlan& plan, bool light_moves) {
 
 std::string_view name_of(Runs runs) {
   switch (runs) {
-    case Runs::never:
-      return "no";
-    case Runs::once:
-      return "once";
-    case Runs::each_frame:
-      return "each frame";
+    case Runs::never: return "no";
+    case Runs::once: return "once";
+    case Runs::each_frame: return "each frame";
   }
   return "?";
 }
 
-std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& facts, const RenderSettings& s,
-                                   Accel accel, bool light_moves) {
+std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& facts, const RenderSettings& s, Accel accel,
+                                   bool light_moves) {
   if (s.method == Method::raytrace || s.method == Method::reference) {
     const std::string method = fmt::format("--method {}", name_of(s.method));
     return {accelerator_note(facts, s, accel, light_moves),
@@ -118,8 +113,7 @@ std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& fact
   return {accelerator_note(facts, s, accel, light_moves),
           shadow_map_note(plan, s, light_moves),
           light_buffer_note(plan, light_moves),
-          {"pass 2 triangle ids", Runs::each_frame,
-           pixels(s) + (plan.shadow_map ? ", with the shadow test" : "")},
+          {"pass 2 triangle ids", Runs::each_frame, pixels(s) + (plan.shadow_map ? ", with the shadow test" : "")},
           mark_note(plan, s),
           readback_note(plan),
           repair_note(plan),

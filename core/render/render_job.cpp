@@ -1,9 +1,9 @@
 #include "core/render/render_job.h"
 
+#include "core/base/timing.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/gl_renderer.h"
 #include "core/render/samples.h"
-#include "core/base/timing.h"
 
 namespace hybridrt {
 FrameRequest frame_request(const RenderJob& job, int frame) {

@@ -1,8 +1,8 @@
 #include "core/render/settings.h"
 
-#include "core/base/error.h"
-
 #include <algorithm>
+
+#include "core/base/error.h"
 
 namespace hybridrt {
 
@@ -47,9 +47,7 @@ bool renders_part(const RenderSettings& s) {
   return part.width_px < s.width_px || part.height_px < s.height_px;
 }
 
-bool uses_shadow_map(const RenderSettings& s) {
-  return s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur;
-}
+bool uses_shadow_map(const RenderSettings& s) { return s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur; }
 
 PixelRect kept_of_rendered(const RenderSettings& s) {
   const PixelRect picture = picture_rect(s), rendered = rendered_rect(s);

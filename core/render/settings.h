@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/base/math.h"
-
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include "core/base/math.h"
 
 namespace hybridrt {
 
@@ -47,15 +47,15 @@ struct RenderSettings {
   std::optional<PixelRect> crop;         ///< the part of it that becomes the picture; inside the frame
   Method method = Method::hybrid;
   ShadowMode shadows = ShadowMode::exact;
-  int blur_kernel_px = 5;    ///< odd, 1..31
+  int blur_kernel_px = 5;  ///< odd, 1..31
   int shadow_map_px = 2048;
   ShadowWarp shadow_warp = ShadowWarp::lispsm;
   int reflection_depth = 4;  ///< generations after the primary one
   int samples = 1;           ///< a pixel, averaged
   int frames_in_flight = 2;
-  uint32_t aovs = 0;         ///< Aov bits
-  vec3 ambient{0.15f};       ///< light from everywhere, times Kd; linear
-  vec3 background{0.7f};     ///< linear
+  uint32_t aovs = 0;      ///< Aov bits
+  vec3 ambient{0.15f};    ///< light from everywhere, times Kd; linear
+  vec3 background{0.7f};  ///< linear
 };
 
 /// The part of the frame that is delivered: the crop or all.

@@ -13,8 +13,8 @@ std::string line_of(int frame, double write_ms, FrameTimings timings, const Trac
   for (double ms : timings.pass_ms) line += fmt::format(",{:.3f}", ms);
   line += fmt::format(",{:.3f},{},{},{},{},{},{},{},{:.3f},{:.3f},{},{:.3f},{},{}\n", timings.wall_ms, s.pixels_hit,
                       s.pixels_marked, s.pixels_reflective, s.pixels_refractive, s.shadow_rays, s.reflection_rays,
-                      s.refraction_rays, s.shadow_cpu_ms, s.secondary_cpu_ms, s.primary_shadow_rays,
-                      s.repair_ms, s.pixels_suspect, s.pixels_repaired);
+                      s.refraction_rays, s.shadow_cpu_ms, s.secondary_cpu_ms, s.primary_shadow_rays, s.repair_ms,
+                      s.pixels_suspect, s.pixels_repaired);
   return line;
 }
 
@@ -23,8 +23,9 @@ std::string line_of(int frame, double write_ms, FrameTimings timings, const Trac
 TimingsCsv::TimingsCsv(const std::string& path) : file_(path == "-" ? "/dev/stdout" : path) {
   std::string header = "frame";
   for (std::string_view pass : kPassNames) header += fmt::format(",{}_ms", pass);
-  header += ",wall_ms,pixels_hit,pixels_marked,pixels_reflective,pixels_refractive,shadow_rays,reflection_rays,"
-            "refraction_rays,shadow_cpu_ms,secondary_cpu_ms,primary_shadow_rays,repair_ms,pixels_suspect,pixels_repaired\n";
+  header +=
+      ",wall_ms,pixels_hit,pixels_marked,pixels_reflective,pixels_refractive,shadow_rays,reflection_rays,"
+      "refraction_rays,shadow_cpu_ms,secondary_cpu_ms,primary_shadow_rays,repair_ms,pixels_suspect,pixels_repaired\n";
   file_.write(header);
 }
 

@@ -1,19 +1,20 @@
 #pragma once
 
-#include "core/base/output_file.h"
-#include "core/render/frame.h"
-
 #include <chrono>
 #include <map>
 #include <mutex>
 #include <string>
+
+#include "core/base/output_file.h"
+#include "core/render/frame.h"
 
 namespace hybridrt {
 
 /// The timings CSV: one row a frame, in the order of delivery, each held back until the frame's files are
 /// written and its write_ms is known. Under its final name the file is whole at any moment, for a run may be killed:
 /// it appears with the first row and is replaced by a longer one now and then, such that this takes at most 2 % of the
-/// time (a killed run may lack the rows since the last one); finish() makes it complete. Thread-safe; add() waits for no disk.
+/// time (a killed run may lack the rows since the last one); finish() makes it complete. Thread-safe; add() waits for
+/// no disk.
 class TimingsCsv {
  public:
   /// "-" is standard output. Throws Error(output) when the file cannot be made.
@@ -43,7 +44,7 @@ class TimingsCsv {
   OutputFile file_;
   std::chrono::steady_clock::time_point next_checkpoint_{};
 
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;                             ///< of what follows
   std::map<int64_t, std::pair<int, Row>> rows_;  ///< by order of delivery: frame and row
   std::map<int, int64_t> order_of_frame_;
   int64_t delivered_ = 0;

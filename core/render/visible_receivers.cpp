@@ -1,4 +1,5 @@
 #include "core/render/visible_receivers.h"
+
 #include "core/passes/receiver_hull.h"
 
 namespace hybridrt {
@@ -26,8 +27,7 @@ std::vector<dvec3> VisibleReceivers::find(const In& in) {
   readback_.start(blocks_, GL_RG, GL_FLOAT);
   readback_.wait();
   const auto* blocks = static_cast<const vec2*>(readback_.data());
-  const size_t count = static_cast<size_t>(receiver_blocks(whole.width_px)) *
-                       receiver_blocks(whole.height_px);
+  const size_t count = static_cast<size_t>(receiver_blocks(whole.width_px)) * receiver_blocks(whole.height_px);
   return receiver_hull(whole, in.near_distance, {blocks, count});
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "core/gl/readback.h"
 #include "core/passes_gl/id_buffer.h"
 #include "core/passes_gl/receiver_depths.h"
 #include "core/render/settings.h"
-
-#include <optional>
-#include <vector>
 
 namespace hybridrt {
 

@@ -74,8 +74,8 @@ Camera camera_on_orbit(const Orbit& orbit, double fraction) {
   const double azimuth = orbit.from_rad + fraction * (orbit.to_rad - orbit.from_rad);
   Camera camera;
   camera.target_world = orbit.target_world;
-  camera.eye_world = orbit.target_world +
-                     dvec3(std::sin(azimuth) * orbit.radius, orbit.height, std::cos(azimuth) * orbit.radius);
+  camera.eye_world =
+      orbit.target_world + dvec3(std::sin(azimuth) * orbit.radius, orbit.height, std::cos(azimuth) * orbit.radius);
   if (orbit.outward) std::swap(camera.eye_world, camera.target_world);
   camera.fov_y_rad = orbit.fov_y_rad;
   return camera;
@@ -101,8 +101,10 @@ Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad) {
   double low = silhouette.front().height, high = silhouette.back().height;
   for (int step = 0; step < 60; ++step) {
     const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-    if (distance_for(silhouette, a, picture) < distance_for(silhouette, b, picture)) high = b;
-    else low = a;
+    if (distance_for(silhouette, a, picture) < distance_for(silhouette, b, picture))
+      high = b;
+    else
+      low = a;
   }
   const double height = 0.5 * (low + high);
   double distance = kMargin * distance_for(silhouette, height, picture);

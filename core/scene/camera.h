@@ -19,12 +19,12 @@ bool up_is_along_view(const Camera& camera);
 /// Where the camera goes: around `target_world` on a circle about the up axis.
 struct Orbit {
   dvec3 target_world{0};
-  double radius = 1;         ///< horizontal distance of the eye from the axis
-  double height = 0;         ///< of the eye above the target
-  double from_rad = 0;       ///< azimuth of the first frame: 0 looks along -z, growing toward +x
-  double to_rad = 2 * kPi;   ///< azimuth where the turn ends; the last frame stops one step short of it
+  double radius = 1;        ///< horizontal distance of the eye from the axis
+  double height = 0;        ///< of the eye above the target
+  double from_rad = 0;      ///< azimuth of the first frame: 0 looks along -z, growing toward +x
+  double to_rad = 2 * kPi;  ///< azimuth where the turn ends; the last frame stops one step short of it
   double fov_y_rad = 0.7853981633974483;
-  bool outward = false;      ///< the eye stands at `target_world` and looks to where it would otherwise stand
+  bool outward = false;  ///< the eye stands at `target_world` and looks to where it would otherwise stand
 };
 
 /// The orbit once around the camera's target that starts where the camera stands.

@@ -54,8 +54,7 @@ dvec3 along_curve(size_t count, const Segment& segment, const Value& value) {
   const size_t i = segment.from;
   const dvec3 p1 = value(i), p2 = value(i + 1);
   return centripetal_catmull_rom(
-      {i > 0 ? value(i - 1) : 2.0 * p1 - p2, p1, p2, i + 2 < count ? value(i + 2) : 2.0 * p2 - p1},
-      segment.share);
+      {i > 0 ? value(i - 1) : 2.0 * p1 - p2, p1, p2, i + 2 < count ? value(i + 2) : 2.0 * p2 - p1}, segment.share);
 }
 
 /// As above, for directions: unit. Where the curve goes through zero (opposite keys), the earlier key's.
@@ -92,8 +91,7 @@ Camera camera_on_path(const CameraPath& path, double frame) {
   const Segment segment = find_segment(keys.size(), frame, [&](size_t i) { return keys[i].frame; });
   Camera camera;
   camera.eye_world = along_curve(keys.size(), segment, [&](size_t i) { return keys[i].camera.eye_world; });
-  camera.target_world =
-      along_curve(keys.size(), segment, [&](size_t i) { return keys[i].camera.target_world; });
+  camera.target_world = along_curve(keys.size(), segment, [&](size_t i) { return keys[i].camera.target_world; });
   camera.up = direction_along(keys.size(), segment, [&](size_t i) { return keys[i].camera.up; });
   camera.fov_y_rad = fov_at(path, segment);
   return camera;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/base/math.h"
-#include "core/scene/texture_map.h"
-
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "core/base/math.h"
+#include "core/scene/texture_map.h"
 
 namespace hybridrt {
 
@@ -20,19 +20,19 @@ enum class Fresnel {
 /// All colours linear.
 struct Material {
   std::string name;
-  vec3 kd{0.8f};          ///< diffuse
-  vec3 ks{0};             ///< specular
-  vec3 ke{0};             ///< emitted
-  float ns = 0;           ///< Blinn-Phong exponent
-  float ni = 1;           ///< index of refraction, > 0
-  float opacity = 1;      ///< MTL d: 1 opaque, 0 clear
-  vec3 tf{1};             ///< transmission filter
+  vec3 kd{0.8f};      ///< diffuse
+  vec3 ks{0};         ///< specular
+  vec3 ke{0};         ///< emitted
+  float ns = 0;       ///< Blinn-Phong exponent
+  float ni = 1;       ///< index of refraction, > 0
+  float opacity = 1;  ///< MTL d: 1 opaque, 0 clear
+  vec3 tf{1};         ///< transmission filter
   int illum = 2;
   std::vector<TextureMap> maps;  ///< at most one of a kind; what they change is multiplied by them
   uint32_t texture_maps = 0;     ///< where Textures has them; 0: none
 
-  vec3 reflect{0};        ///< weight of a mirror ray at normal incidence; 0 = none
-  vec3 transmit{0};       ///< weight of a refracted ray; 0 = none
+  vec3 reflect{0};   ///< weight of a mirror ray at normal incidence; 0 = none
+  vec3 transmit{0};  ///< weight of a refracted ray; 0 = none
   Fresnel fresnel = Fresnel::none;
 
   bool reflective() const { return reflect != vec3(0) || fresnel != Fresnel::none; }

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/base/math.h"
-#include "core/scene/material.h"
-#include "core/scene/textures.h"
-
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "core/base/math.h"
+#include "core/scene/material.h"
+#include "core/scene/textures.h"
 
 namespace hybridrt {
 
@@ -23,20 +23,20 @@ struct DirectionalLight {
 struct Scene {
   dvec3 origin_world{0};
 
-  std::vector<vec3> positions;                 ///< scene space, finite
-  std::vector<vec3> normals;                   ///< unit, scene space
-  std::vector<uvec3> triangle_positions;       ///< three indices into `positions` a triangle
-  std::vector<uvec3> triangle_normals;         ///< three indices into `normals` a triangle
-  std::vector<uint32_t> triangle_materials;    ///< index into `materials`
-  std::vector<Material> materials;             ///< resolved; at least one
+  std::vector<vec3> positions;               ///< scene space, finite
+  std::vector<vec3> normals;                 ///< unit, scene space
+  std::vector<uvec3> triangle_positions;     ///< three indices into `positions` a triangle
+  std::vector<uvec3> triangle_normals;       ///< three indices into `normals` a triangle
+  std::vector<uint32_t> triangle_materials;  ///< index into `materials`
+  std::vector<Material> materials;           ///< resolved; at least one
 
-  std::shared_ptr<const Textures> textures;    ///< null where no triangle's material has a map
+  std::shared_ptr<const Textures> textures;  ///< null where no triangle's material has a map
 
-  Aabb bounds;                                 ///< of all triangles, scene space
+  Aabb bounds;  ///< of all triangles, scene space
 
   // Where it came from, for reports.
-  std::vector<std::string> files;              ///< all that were read, in that order
-  size_t built_normal_corners = 0;             ///< corners that got their normal from the faces around
+  std::vector<std::string> files;   ///< all that were read, in that order
+  size_t built_normal_corners = 0;  ///< corners that got their normal from the faces around
 
   size_t triangle_count() const { return triangle_positions.size(); }
   bool has_holes() const { return textures && textures->any_holes; }
@@ -44,9 +44,7 @@ struct Scene {
     return has_holes() && textures->has_holes(textures->triangle_maps[triangle]);
   }
   const Material& material_of(uint32_t triangle) const { return materials[triangle_materials[triangle]]; }
-  vec3 vertex(uint32_t triangle, int corner) const {
-    return positions[triangle_positions[triangle][corner]];
-  }
+  vec3 vertex(uint32_t triangle, int corner) const { return positions[triangle_positions[triangle][corner]]; }
 };
 
 /// Bounds of the triangles (unused vertices do not count).

@@ -12,11 +12,11 @@ namespace hybridrt {
 /// The textures of a scene and where they lie on its triangles. Filled while loading and then only read and shared: it
 /// outlives the scene that it came with, for structures that ask it for holes.
 struct Textures {
-  std::vector<uint32_t> words;             ///< all textures, as shaders/shared.h says
-  std::vector<vec2> texcoords;             ///< v grows upward in the image
-  std::vector<uvec3> triangle_texcoords;   ///< three indices into `texcoords` a triangle
-  std::vector<uint32_t> triangle_maps;     ///< Material::texture_maps of each triangle
-  bool any_holes = false;                  ///< in any triangle
+  std::vector<uint32_t> words;            ///< all textures, as shaders/shared.h says
+  std::vector<vec2> texcoords;            ///< v grows upward in the image
+  std::vector<uvec3> triangle_texcoords;  ///< three indices into `texcoords` a triangle
+  std::vector<uint32_t> triangle_maps;    ///< Material::texture_maps of each triangle
+  bool any_holes = false;                 ///< in any triangle
 
   /// `maps`: as in triangle_maps.
   bool has_holes(uint32_t maps) const { return maps != 0 && words[maps + static_cast<uint32_t>(MapKind::holes)] != 0; }

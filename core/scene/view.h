@@ -19,8 +19,8 @@ struct View {
 
   bool operator==(const View&) const = default;
 
-  /// Direction through the sample (by default the centre) of pixel (x, y) of the picture, row 0 on top; its component along `forward`
-  /// is 1. Bit by bit the same for a part of a frame as for the whole.
+  /// Direction through the sample (by default the centre) of pixel (x, y) of the picture, row 0 on top; its component
+  /// along `forward` is 1. Bit by bit the same for a part of a frame as for the whole.
   dvec3 pixel_dir(int x, int y) const {
     return ray_first() + static_cast<double>(x_px + x) * ray_step_x() + static_cast<double>(y_px + y) * ray_step_y();
   }

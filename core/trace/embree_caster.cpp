@@ -93,10 +93,10 @@ class EmbreeCaster final : public RayCaster<float> {
       std::fill_n(packet.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
       rtcIntersect16(valid, scene_.get(), &context, &packet);
       for (size_t i = 0; i < count; ++i)
-        hits[first + i] = valid[i] && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID
-                              ? Hit<float>{packet.ray.tfar[i], packet.hit.u[i], packet.hit.v[i],
-                                           scene_triangle(packet.hit.primID[i])}
-                              : Hit<float>{};
+        hits[first + i] =
+            valid[i] && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID
+                ? Hit<float>{packet.ray.tfar[i], packet.hit.u[i], packet.hit.v[i], scene_triangle(packet.hit.primID[i])}
+                : Hit<float>{};
     }
   }
 
@@ -142,8 +142,8 @@ class EmbreeCaster final : public RayCaster<float> {
     // Embree reads 16 bytes for each vertex: its own buffers are padded for that, ours are not.
     auto* const vertices = static_cast<vec3*>(rtcSetNewGeometryBuffer(
         geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), scene.positions.size()));
-    auto* const indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(
-        geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), kept.size()));
+    auto* const indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0,
+                                                                      RTC_FORMAT_UINT3, sizeof(uvec3), kept.size()));
     throw_on_error(device_.get(), "taking the triangles");
     if (holes_) {
       rtcSetGeometryUserData(geometry.get(), this);

@@ -42,8 +42,7 @@ float round_down(double x) {
 
 }  // namespace
 
-std::optional<Aabb> clip_triangle(const vec3& v0, const vec3& v1, const vec3& v2, const Aabb& box,
-                                  double margin) {
+std::optional<Aabb> clip_triangle(const vec3& v0, const vec3& v1, const vec3& v2, const Aabb& box, double margin) {
   Polygon polygon{{dvec3(v0), dvec3(v1), dvec3(v2)}, 3};
   for (int axis = 0; axis < 3 && polygon.count > 0; ++axis) {
     clip_by_plane(polygon, axis, box.lo[axis] - margin, -1);

@@ -11,8 +11,7 @@ namespace hybridrt {
 /// Bounds of the part of a triangle that lies in `box`, rounded outwards to float and never larger than
 /// `box`, or nothing where the triangle keeps away from the box by more than `margin`. Source: Sutherland
 /// and Hodgman, "Reentrant polygon clipping", 1974.
-std::optional<Aabb> clip_triangle(const vec3& v0, const vec3& v1, const vec3& v2, const Aabb& box,
-                                  double margin);
+std::optional<Aabb> clip_triangle(const vec3& v0, const vec3& v1, const vec3& v2, const Aabb& box, double margin);
 
 /// Hands each half of `ref`, clipped to its child cell, to `left` or `right`; most references lie on one
 /// side only and go there unchanged.
@@ -22,8 +21,7 @@ void split_reference(const Scene& scene, double margin, const KdReference& ref, 
   const KdSide side = side_of(ref, split);
   if (side == KdSide::left) return left(ref);
   if (side == KdSide::right) return right(ref);
-  const vec3 a = scene.vertex(ref.triangle, 0), b = scene.vertex(ref.triangle, 1),
-             c = scene.vertex(ref.triangle, 2);
+  const vec3 a = scene.vertex(ref.triangle, 0), b = scene.vertex(ref.triangle, 1), c = scene.vertex(ref.triangle, 2);
   const auto clip = [&](const Aabb& cell) {
     return clip_triangle(a, b, c, {glm::max(cell.lo, ref.box.lo), glm::min(cell.hi, ref.box.hi)}, margin);
   };

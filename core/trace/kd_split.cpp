@@ -17,15 +17,12 @@ constexpr size_t kSweepMax = 48;  // up to here all planes are tried
 constexpr size_t kBinGrain = 1 << 15;
 
 // In double: the product of two extents may overflow or vanish in float.
-double half_area(const dvec3& extent) {
-  return extent.x * extent.y + extent.y * extent.z + extent.z * extent.x;
-}
+double half_area(const dvec3& extent) { return extent.x * extent.y + extent.y * extent.z + extent.z * extent.x; }
 
 /// Collects the best of the planes offered to it.
 class BestSplit {
  public:
-  explicit BestSplit(const Aabb& box)
-      : box_(box), extent_(dvec3(box.hi) - dvec3(box.lo)), area_(half_area(extent_)) {}
+  explicit BestSplit(const Aabb& box) : box_(box), extent_(dvec3(box.hi) - dvec3(box.lo)), area_(half_area(extent_)) {}
 
   /// A plane with `left` and `right` references beside it and `planar` in it.
   void offer(int axis, float position, size_t left, size_t planar, size_t right) {
@@ -119,9 +116,8 @@ template <typename Result, typename Map, typename Reduce>
 void map_reduce(std::span<const KdReference> refs, ThreadPool* pool, const Map& map, const Reduce& reduce) {
   if (!pool || refs.size() <= kBinGrain) return reduce(map(refs));
   std::vector<Result> parts((refs.size() + kBinGrain - 1) / kBinGrain);
-  parallel_for(*pool, refs.size(), kBinGrain, [&](size_t begin, size_t end) {
-    parts[begin / kBinGrain] = map(refs.subspan(begin, end - begin));
-  });
+  parallel_for(*pool, refs.size(), kBinGrain,
+               [&](size_t begin, size_t end) { parts[begin / kBinGrain] = map(refs.subspan(begin, end - begin)); });
   for (const Result& part : parts) reduce(part);
 }
 
@@ -155,8 +151,7 @@ void bin(std::span<const KdReference> refs, const Aabb& box, ThreadPool* pool, B
       left += bins.starts[axis][plane - 1];
       right -= bins.ends[axis][plane - 1];
       const float position = bounds.lo[axis] + extent[axis] * (float(plane) / kBins);
-      if (position > bounds.lo[axis] && position < bounds.hi[axis])
-        best.offer(axis, position, left, 0, right);
+      if (position > bounds.lo[axis] && position < bounds.hi[axis]) best.offer(axis, position, left, 0, right);
     }
   }
 }

@@ -24,8 +24,7 @@ KdSplit middle_of_longest_side(const Aabb& box) {
 
 class SubtreeBuilder {
  public:
-  SubtreeBuilder(const KdBuildInput& input, std::vector<KdReference> refs)
-      : input_(input), stack_(std::move(refs)) {}
+  SubtreeBuilder(const KdBuildInput& input, std::vector<KdReference> refs) : input_(input), stack_(std::move(refs)) {}
 
   KdSubtree build(const KdCell& root) {
     out_.nodes.resize(2, KdNode::leaf(0, 0));
@@ -64,8 +63,7 @@ class SubtreeBuilder {
   }
 
   void make_leaf(uint32_t node, std::span<const KdReference> refs, size_t begin) {
-    out_.nodes[node] =
-        KdNode::leaf(static_cast<uint32_t>(out_.triangles.size()), static_cast<uint32_t>(refs.size()));
+    out_.nodes[node] = KdNode::leaf(static_cast<uint32_t>(out_.triangles.size()), static_cast<uint32_t>(refs.size()));
     for (const KdReference& ref : refs) out_.triangles.push_back(ref.triangle);
     stack_.resize(begin);
   }
@@ -77,8 +75,8 @@ class SubtreeBuilder {
 
 }  // namespace
 
-std::optional<KdDivision> divide_cell(const KdBuildInput& input, const KdCell& cell,
-                                      std::span<const KdReference> refs, ThreadPool* pool) {
+std::optional<KdDivision> divide_cell(const KdBuildInput& input, const KdCell& cell, std::span<const KdReference> refs,
+                                      ThreadPool* pool) {
   if (refs.empty() || cell.depth >= input.max_depth || cell.budget_bytes < kDivisionBytes) return {};
   auto split = find_kd_split(refs, cell.box, pool);
   int gainless = cell.gainless;
@@ -92,8 +90,7 @@ std::optional<KdDivision> divide_cell(const KdBuildInput& input, const KdCell& c
   return division;
 }
 
-bool share_budget(const KdCell& cell, size_t refs, size_t left_refs, size_t right_refs,
-                  KdDivision& division) {
+bool share_budget(const KdCell& cell, size_t refs, size_t left_refs, size_t right_refs, KdDivision& division) {
   const double sum = static_cast<double>(left_refs + right_refs), added = sum - static_cast<double>(refs);
   const double rest = cell.budget_bytes - kDivisionBytes - sizeof(uint32_t) * added;
   if (rest < 0) return false;

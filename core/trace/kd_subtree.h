@@ -32,8 +32,8 @@ struct KdDivision {
 };
 
 /// The plane worth dividing the cell by, or nothing: then it becomes a leaf. `pool` may be null.
-std::optional<KdDivision> divide_cell(const KdBuildInput& input, const KdCell& cell,
-                                      std::span<const KdReference> refs, ThreadPool* pool);
+std::optional<KdDivision> divide_cell(const KdBuildInput& input, const KdCell& cell, std::span<const KdReference> refs,
+                                      ThreadPool* pool);
 
 /// Takes the cost of a division, now that its references are known, off the cell's budget and shares the
 /// rest out by the number of references. False where the budget does not reach.

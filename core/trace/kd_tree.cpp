@@ -53,8 +53,8 @@ struct Halves {
   std::vector<KdReference> left, right;
 };
 
-Halves split_in_parallel(const KdBuildInput& input, std::span<const KdReference> refs,
-                         const KdDivision& division, ThreadPool& pool) {
+Halves split_in_parallel(const KdBuildInput& input, std::span<const KdReference> refs, const KdDivision& division,
+                         ThreadPool& pool) {
   std::vector<Halves> parts((refs.size() + kSplitGrain - 1) / kSplitGrain);
   parallel_for(pool, refs.size(), kSplitGrain, [&](size_t begin, size_t end) {
     Halves& part = parts[begin / kSplitGrain];
@@ -101,9 +101,8 @@ void graft(KdSubtree subtree, uint32_t node, KdTree& tree) {
   HRT_CHECK(node_offset + subtree.nodes.size() < (1u << 30));
   HRT_CHECK(leaf_offset + subtree.triangles.size() < kNoTriangle);
   const auto moved = [&](KdNode n) {
-    return n.is_leaf()
-               ? KdNode::leaf(static_cast<uint32_t>(n.first + leaf_offset), n.count())
-               : KdNode::inner(n.axis(), n.split, static_cast<uint32_t>(n.left_child() + node_offset));
+    return n.is_leaf() ? KdNode::leaf(static_cast<uint32_t>(n.first + leaf_offset), n.count())
+                       : KdNode::inner(n.axis(), n.split, static_cast<uint32_t>(n.left_child() + node_offset));
   };
   tree.nodes[node] = moved(subtree.nodes[0]);
   for (size_t i = 2; i < subtree.nodes.size(); ++i) tree.nodes.push_back(moved(subtree.nodes[i]));
@@ -136,15 +135,13 @@ KdTree build_kd_tree(const Scene& scene, ThreadPool& pool) {
   if (scene.has_holes()) tree.holes = scene.textures;
   for (const KdReference& ref : refs) tree.bounds.grow(ref.box);
 
-  const vec3 size =
-      tree.bounds.empty() ? vec3(0) : glm::max(glm::abs(tree.bounds.lo), glm::abs(tree.bounds.hi));
+  const vec3 size = tree.bounds.empty() ? vec3(0) : glm::max(glm::abs(tree.bounds.lo), glm::abs(tree.bounds.hi));
   const KdBuildInput input{scene, 1e-13 * std::max({size.x, size.y, size.z}),
                            std::min(kKdMaxDepth, 10 + static_cast<int>(2 * std::log2(triangle_count + 1.0)))};
   const KdCell root{tree.bounds, 0, 0,
                     kBudgetBytesPerTriangle * static_cast<double>(triangle_count) - 2 * sizeof(KdNode)};
   TopTree top{std::vector<KdNode>(2, KdNode::leaf(0, 0)), {}};
-  divide_top(input, 0, root, std::move(refs), std::max(kSubtreeMin, triangle_count / kSubtreeShare), pool,
-             top);
+  divide_top(input, 0, root, std::move(refs), std::max(kSubtreeMin, triangle_count / kSubtreeShare), pool, top);
 
   pool.run(top.pending.size(), [&](size_t i, int) {
     PendingSubtree& subtree = top.pending[i];
@@ -165,8 +162,8 @@ KdTree build_kd_tree(const Scene& scene, ThreadPool& pool) {
 }
 
 size_t memory_bytes(const KdTree& tree) {
-  return sizeof(KdTree) + tree.nodes.capacity() * sizeof(KdNode) +
-         tree.leaf_triangles.capacity() * sizeof(uint32_t) + tree.triangles.capacity() * sizeof(KdTriangle);
+  return sizeof(KdTree) + tree.nodes.capacity() * sizeof(KdNode) + tree.leaf_triangles.capacity() * sizeof(uint32_t) +
+         tree.triangles.capacity() * sizeof(KdTriangle);
 }
 
 KdTreeShape measure_shape(const KdTree& tree) {

@@ -57,13 +57,14 @@ struct alignas(16) KdTriangle {
 static_assert(sizeof(KdTriangle) == 48);
 
 /// A kd-tree over the triangles of one scene; only data, see build_kd_tree and make_kd_caster. Independent
-/// of the scene it was built from (it holds copies of the corners, and the textures with it if these have holes). Never more than 120 bytes a triangle.
+/// of the scene it was built from (it holds copies of the corners, and the textures with it if these have holes). Never
+/// more than 120 bytes a triangle.
 struct KdTree {
-  Aabb bounds;                           ///< of the triangles that can be hit; empty without any
-  std::vector<KdNode> nodes;             ///< [0] is the root, [1] unused: siblings start at even indices
-  std::vector<uint32_t> leaf_triangles;  ///< indices into `triangles`, a range a leaf
-  std::vector<KdTriangle> triangles;     ///< in the order of the leaves; degenerate ones are left out
-  std::shared_ptr<const Textures> holes; ///< asked at every hit; null where no triangle has holes
+  Aabb bounds;                            ///< of the triangles that can be hit; empty without any
+  std::vector<KdNode> nodes;              ///< [0] is the root, [1] unused: siblings start at even indices
+  std::vector<uint32_t> leaf_triangles;   ///< indices into `triangles`, a range a leaf
+  std::vector<KdTriangle> triangles;      ///< in the order of the leaves; degenerate ones are left out
+  std::shared_ptr<const Textures> holes;  ///< asked at every hit; null where no triangle has holes
 };
 
 /// Surface-area heuristic (SAH) with perfect splits (triangles are clipped to the cells that they reach) and

@@ -50,8 +50,7 @@ class FourLeaf {
     for (uint32_t i = first; i <= last; i += 4) {
       // A short last group repeats its last triangle, which changes nothing.
       const KdTriangle* four[4] = {&triangles_[ids_[i]], &triangles_[ids_[std::min(i + 1, last)]],
-                                   &triangles_[ids_[std::min(i + 2, last)]],
-                                   &triangles_[ids_[std::min(i + 3, last)]]};
+                                   &triangles_[ids_[std::min(i + 2, last)]], &triangles_[ids_[std::min(i + 3, last)]]};
       test_four<kAny>(four, nearest);
       if (kAny && nearest.found()) return;
     }
@@ -90,17 +89,15 @@ class FourLeaf {
     const auto det = hn::Add(hn::Add(wa, wb), wc);
     const auto size = hn::Abs(det);
     const auto off_edges = hn::Gt(hn::Min(hn::Abs(wa), hn::Min(hn::Abs(wb), hn::Abs(wc))), zero);
-    const auto in_range = hn::And(hn::Ge(size, hn::Set(kLanes, kSmallestFloatDet)),
-                                  hn::Le(size, hn::Set(kLanes, kLargestFloatDet)));
+    const auto in_range =
+        hn::And(hn::Ge(size, hn::Set(kLanes, kSmallestFloatDet)), hn::Le(size, hn::Set(kLanes, kLargestFloatDet)));
     const auto in_float = hn::And(off_edges, in_range);
 
     const auto per_det = hn::Div(hn::Set(kLanes, 1.0f), det);
     const auto u = hn::Mul(wb, per_det), v = hn::Mul(wc, per_det);
-    const auto distance =
-        hn::Add(hn::Add(hn::Mul(hn::Mul(wa, per_det), a.z), hn::Mul(u, b.z)), hn::Mul(v, c.z));
+    const auto distance = hn::Add(hn::Add(hn::Mul(hn::Mul(wa, per_det), a.z), hn::Mul(u, b.z)), hn::Mul(v, c.z));
     const auto t = hn::Mul(distance, sz_);
-    const auto in_reach =
-        hn::And(hn::Gt(t, hn::Set(kLanes, nearest.t_min)), hn::Le(t, hn::Set(kLanes, nearest.t)));
+    const auto in_reach = hn::And(hn::Gt(t, hn::Set(kLanes, nearest.t_min)), hn::Le(t, hn::Set(kLanes, nearest.t)));
 
     const auto in_double = hn::AndNot(outside, hn::Not(in_float));
     const auto hit = hn::AndNot(outside, hn::And(in_float, in_reach));
@@ -113,9 +110,9 @@ class FourLeaf {
     for (int lane = 0; lane < 4; ++lane) {
       TriangleHit<float> found{ts[lane], us[lane], vs[lane]};
       const KdTriangle& triangle = *four[lane];
-      const bool accept = (hit_bits[0] >> lane & 1) ||
-                          ((double_bits[0] >> lane & 1) &&
-                           intersect_triangle(ray_, triangle.v0, triangle.v1, triangle.v2, found));
+      const bool accept =
+          (hit_bits[0] >> lane & 1) ||
+          ((double_bits[0] >> lane & 1) && intersect_triangle(ray_, triangle.v0, triangle.v1, triangle.v2, found));
       if (!accept || (holes_ && is_hole(*holes_, triangle.id, found.u, found.v))) continue;
       nearest.offer(found, triangle.id);
     }

@@ -45,8 +45,7 @@ class Lookup {
     const LightCell* cell = place_of(origin).cell;
     if (!cell) return 0;
     int surplus = 0;
-    for (uint32_t i = cell->first; i < cell[1].first; ++i)
-      surplus += exit_of(query, buffer_.entries[i].triangle);
+    for (uint32_t i = cell->first; i < cell[1].first; ++i) surplus += exit_of(query, buffer_.entries[i].triangle);
     for (uint32_t i = cell->first_other; i < cell[1].first_other; ++i)
       surplus += exit_of(query, buffer_.others[i].triangle);
     return surplus;
@@ -106,9 +105,8 @@ class Lookup {
       const LightEntry& entry = buffer_.entries[i];
       if (place.depth < entry.nearest) return false;
       const auto error = hn::IfThenElse(in_lane_3, hn::Load(kLanes, &entry.nearest), edge_error);
-      const auto value =
-          hn::Add(hn::Add(hn::Mul(hn::Load(kLanes, entry.a), x), hn::Mul(hn::Load(kLanes, entry.b), y)),
-                  hn::Add(hn::Load(kLanes, entry.c), own_depth));
+      const auto value = hn::Add(hn::Add(hn::Mul(hn::Load(kLanes, entry.a), x), hn::Mul(hn::Load(kLanes, entry.b), y)),
+                                 hn::Add(hn::Load(kLanes, entry.c), own_depth));
       if (!hn::AllFalse(kLanes, hn::Lt(value, hn::Neg(error)))) continue;  // certainly beside it, or nearer
       if (entry.triangle == query.triangle) continue;                      // a plane does not shadow itself
       if (hn::AllTrue(kLanes, hn::Gt(value, error)) || meets(query, entry.triangle)) return true;
@@ -140,8 +138,8 @@ class Lookup {
     ray.origin = query.origin;
     TriangleHit<double> hit;
     const Scene& scene = *buffer_.scene;
-    return intersect_triangle(ray, scene.vertex(triangle, 0), scene.vertex(triangle, 1),
-                              scene.vertex(triangle, 2), hit) &&
+    return intersect_triangle(ray, scene.vertex(triangle, 0), scene.vertex(triangle, 1), scene.vertex(triangle, 2),
+                              hit) &&
            hit.t > 0 && !(scene.has_holes() && is_hole(*scene.textures, triangle, hit.u, hit.v));
   }
 
@@ -160,8 +158,7 @@ class Lookup {
 
 }  // namespace
 
-void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries,
-                    std::span<uint8_t> occluded) {
+void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<uint8_t> occluded) {
   HRT_CHECK_EQ(queries.size(), occluded.size());
   const Lookup lookup(buffer);
   for (size_t i = 0; i < queries.size(); i += Lookup::kGroup)

@@ -39,9 +39,9 @@ struct alignas(64) LightEntry {
 static_assert(sizeof(LightEntry) == 64);
 
 struct LightCell {
-  uint32_t first;        ///< of its entries; they end where the next cell's begin
-  float nearest;         ///< of the first entry; infinite where there is none
-  float cover;           ///< what lies deeper is in shadow: a triangle covers the cell, or a sheet without an end in it
+  uint32_t first;  ///< of its entries; they end where the next cell's begin
+  float nearest;   ///< of the first entry; infinite where there is none
+  float cover;     ///< what lies deeper is in shadow: a triangle covers the cell, or a sheet without an end in it
   uint32_t first_other : 31;  ///< of its triangles in `others`
   uint32_t single : 1;        ///< what lies over the cell as far as `cover` is one sheet that covers it once
 };
@@ -62,7 +62,7 @@ struct LightOther {
 struct LightBuffer {
   const Scene* scene = nullptr;
   std::span<const int8_t> sides;  ///< of each triangle, see Sheets
-  dvec3 toward{0, 1, 0};      ///< unit, to the light
+  dvec3 toward{0, 1, 0};          ///< unit, to the light
   dvec3 x_axis{1, 0, 0}, y_axis{0, 0, 1};
   dvec3 center{0};  ///< scene space; taken off first, so that digits last far from the origin
 
@@ -95,8 +95,7 @@ struct ShadowQuery {
 /// precision cannot decide is decided by that same test, and so is every triangle with holes. Only for an origin
 /// that lies inside a closed body without saying so (`anywhere`), as where a pixel's triangle is hidden after all,
 /// is that body's lit half not asked. Thread-safe.
-void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries,
-                    std::span<uint8_t> occluded);
+void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<uint8_t> occluded);
 
 /// What a query's cell alone says about its answer, without a look at the triangles in it.
 enum class ShadowCertainty : uint8_t {

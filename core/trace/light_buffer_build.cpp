@@ -106,8 +106,7 @@ class Builder {
 
   void transform_positions() {
     parallel_for(pool_, positions_light_.size(), kTrianglesAChunk, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i)
-        positions_light_[i] = light_from_scene(buffer_, dvec3(scene_.positions[i]));
+      for (size_t i = begin; i < end; ++i) positions_light_[i] = light_from_scene(buffer_, dvec3(scene_.positions[i]));
     });
   }
 
@@ -150,8 +149,7 @@ class Builder {
     buffer_.cells_y = static_cast<int>(size.y / side + 0.02) + 1;
     const double depth = std::max(std::abs(lo_.z), std::abs(hi_.z));
     buffer_.depth_per_unit = depth > 0 ? 1 / depth : 1;
-    buffer_.cells.assign(static_cast<size_t>(buffer_.cells_x) * buffer_.cells_y + 1,
-                         {0, kInfinity, kInfinity, 0, 0});
+    buffer_.cells.assign(static_cast<size_t>(buffer_.cells_x) * buffer_.cells_y + 1, {0, kInfinity, kInfinity, 0, 0});
   }
 
   /// Where each cell's references begin; false if they are too many, as where thousands of triangles each lie
@@ -205,8 +203,13 @@ class Builder {
             return;
           }
           const std::optional<bool> centered = view.centered();
-          references_[place] = {view.nearest(), view.farthest(), triangle, view.surely_touched(),
-                                holes || view.crossed_by_sides(ends), centered.value_or(false), !centered};
+          references_[place] = {view.nearest(),
+                                view.farthest(),
+                                triangle,
+                                view.surely_touched(),
+                                holes || view.crossed_by_sides(ends),
+                                centered.value_or(false),
+                                !centered};
           if (view.covers() && !holes) lower(buffer_.cells[cell].cover, view.farthest());
         });
       });
@@ -266,8 +269,8 @@ class Builder {
       buffer_.cells[cell].cover = std::min(buffer_.cells[cell].cover, sheet.farthest);
       const Reference at_cover{buffer_.cells[cell].cover, 0, kLastTriangle, 0, 0, 0, 0};
       first_entry[cell] = static_cast<uint32_t>(std::upper_bound(first, last, at_cover) - first);
-      first_other[cell] = first_other_[cell + 1] - first_other_[cell] + static_cast<uint32_t>(last - first) -
-                          first_entry[cell];
+      first_other[cell] =
+          first_other_[cell + 1] - first_other_[cell] + static_cast<uint32_t>(last - first) - first_entry[cell];
     });
     const uint32_t entries = begin_each(first_entry), others = begin_each(first_other);
     HRT_CHECK(others < 1u << 31);
@@ -276,8 +279,7 @@ class Builder {
     for_each_cell_of_grid([&](size_t cell) {
       buffer_.cells[cell].first = first_entry[cell];
       buffer_.cells[cell].first_other = first_other[cell];
-      if (first_entry[cell] < first_entry[cell + 1])
-        buffer_.cells[cell].nearest = references_[first_[cell]].nearest;
+      if (first_entry[cell] < first_entry[cell + 1]) buffer_.cells[cell].nearest = references_[first_[cell]].nearest;
       const int x = static_cast<int>(cell % buffer_.cells_x), y = static_cast<int>(cell / buffer_.cells_x);
       auto reference = references_.begin() + first_[cell];
       for (uint32_t entry = first_entry[cell]; entry < first_entry[cell + 1]; ++entry, ++reference) {
@@ -326,8 +328,8 @@ LightBuffer build_light_buffer(const Scene& scene, const Sheets& sheets, const d
 }
 
 size_t memory_bytes(const LightBuffer& buffer) {
-  return buffer.cells.size() * sizeof(LightCell) +
-         buffer.entries.size() * sizeof(LightEntry) + buffer.others.size() * sizeof(LightOther);
+  return buffer.cells.size() * sizeof(LightCell) + buffer.entries.size() * sizeof(LightEntry) +
+         buffer.others.size() * sizeof(LightOther);
 }
 
 }  // namespace hybridrt

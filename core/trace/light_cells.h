@@ -35,16 +35,13 @@ inline dvec3 grid_from_light(const LightBuffer& buffer, const dvec3& p) {
 /// short, as the light sees it, that rounding has taken its direction: it decides nothing.
 struct GridEdge {
   double a = 0, b = 0, c = 0;
-  double reach() const {
-    return std::abs(a) + std::abs(b);
-  }  ///< how much it changes from a cell's centre to a corner
+  double reach() const { return std::abs(a) + std::abs(b); }  ///< how much it changes from a cell's centre to a corner
 };
 
 struct GridTriangle {
   GridEdge edges[3];
-  dvec3 lo{0}, hi{0};  ///< bounds
-  bool has_plane =
-      false;  ///< false when seen (nearly) edge-on; then the depth is only known by lo.z and hi.z
+  dvec3 lo{0}, hi{0};      ///< bounds
+  bool has_plane = false;  ///< false when seen (nearly) edge-on; then the depth is only known by lo.z and hi.z
   double slope_x = 0, slope_y = 0, depth = 0;  ///< z = slope_x x + slope_y y + depth
 
   static constexpr double kShortest = 1e-4;
@@ -91,9 +88,7 @@ class CellView {
   }
 
   /// Every point of the cell is certainly inside the edge.
-  bool inside(int edge) const {
-    return distance_[edge] > triangle_.edges[edge].reach() * (1 + 2 * kCellError);
-  }
+  bool inside(int edge) const { return distance_[edge] > triangle_.edges[edge].reach() * (1 + 2 * kCellError); }
   bool covers() const { return inside(0) && inside(1) && inside(2); }
 
   /// The triangle has a point in the cell, certainly: no line separates them. False for slivers, where rounding might.

@@ -25,7 +25,7 @@ void for_each_facing_light(const Scene& scene, uint32_t triangle, const dvec3& e
                            std::span<const TracedLight> lights, const Ask& ask) {
   const dvec3 weights = seen_barycentrics(scene, triangle, eye, dir);
   const dvec3 a(scene.vertex(triangle, 0)), e1 = dvec3(scene.vertex(triangle, 1)) - a,
-      e2 = dvec3(scene.vertex(triangle, 2)) - a;
+                                            e2 = dvec3(scene.vertex(triangle, 2)) - a;
   const dvec3 normal = glm::cross(e1, e2);
   const bool from_front = glm::dot(normal, dir) <= 0;
   const dvec3 side = from_front ? normal : -normal;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/math.h"
-
 #include <cstdint>
 #include <span>
+
+#include "core/base/math.h"
 
 namespace hybridrt {
 

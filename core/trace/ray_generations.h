@@ -1,13 +1,13 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "core/trace/ray_caster.h"
 #include "core/trace/scatter.h"
 #include "core/trace/shadow_queue.h"
 #include "core/trace/texture_lookup.h"
 #include "core/trace/trace_job.h"
-
-#include <span>
-#include <vector>
 
 namespace hybridrt {
 
@@ -34,8 +34,8 @@ class RayGenerations {
   /// Queues the ray through the centre of a pixel; `pixel` is its place in the tile.
   void add_primary(uint32_t pixel, int x, int y);
 
-  /// Queues what a primary surface sends on. `reflect`: its Material::reflect, with its textures. `dir` unit; `distance`
-  /// from the eye and `solid_angle` of the pixel count only in scenes with textures.
+  /// Queues what a primary surface sends on. `reflect`: its Material::reflect, with its textures. `dir` unit;
+  /// `distance` from the eye and `solid_angle` of the pixel count only in scenes with textures.
   void add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& reflect, const Vec3<Real>& dir,
                      Real distance, Real solid_angle, TraceStats& stats);
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/scene/scene.h"
 #include "core/mesh/topology.h"
+#include "core/scene/scene.h"
 
 namespace hybridrt {
 

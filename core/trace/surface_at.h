@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/scene/scene.h"
-#include "core/trace/surface.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "core/scene/scene.h"
+#include "core/trace/surface.h"
 
 namespace hybridrt {
 
@@ -12,9 +12,9 @@ namespace hybridrt {
 template <typename Real>
 struct Surface {
   Vec3<Real> point{0};
-  Vec3<Real> side{0};     ///< unit geometric normal, turned to where the ray came from
-  Vec3<Real> normal{0};   ///< unit shading normal, turned to `side`
-  Real offset = 0;        ///< how far off the surface new rays must start, along `side` or against it
+  Vec3<Real> side{0};        ///< unit geometric normal, turned to where the ray came from
+  Vec3<Real> normal{0};      ///< unit shading normal, turned to `side`
+  Real offset = 0;           ///< how far off the surface new rays must start, along `side` or against it
   bool from_outside = true;  ///< the ray met the front (counter-clockwise) side
   uint32_t material = 0;
 };
@@ -33,8 +33,8 @@ Surface<Real> surface_at(const Scene& scene, uint32_t triangle, Real u, Real v, 
   const V e1 = p1 - p0, e2 = p2 - p0;
   const V unnormalized = glm::cross(e1, e2);
   const uvec3& corners = scene.triangle_normals[triangle];
-  const V interpolated = (1 - u - v) * V(scene.normals[corners[0]]) + u * V(scene.normals[corners[1]]) +
-                         v * V(scene.normals[corners[2]]);
+  const V interpolated =
+      (1 - u - v) * V(scene.normals[corners[0]]) + u * V(scene.normals[corners[1]]) + v * V(scene.normals[corners[2]]);
   const auto largest = [](const V& w) { return std::max({std::abs(w.x), std::abs(w.y), std::abs(w.z)}); };
 
   Surface<Real> surface;

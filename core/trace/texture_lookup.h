@@ -40,8 +40,7 @@ template <typename Real>
 using Vec2 = glm::vec<2, Real, glm::defaultp>;
 
 template <typename Real>
-using TextureLookup =
-    std::conditional_t<std::is_same_v<Real, float>, texture_single::Lookup, texture_double::Lookup>;
+using TextureLookup = std::conditional_t<std::is_same_v<Real, float>, texture_single::Lookup, texture_double::Lookup>;
 
 /// Texture coordinates at barycentric weights (1 - u - v, u, v) of a triangle.
 template <typename Real>
@@ -74,10 +73,10 @@ SurfaceColors<Real> textured_colors(const Scene& scene, uint32_t triangle, Real 
   const V p0(scene.vertex(triangle, 0));
   const uvec3& corners = textures.triangle_texcoords[triangle];
   const Vec2<Real> t0(textures.texcoords[corners[0]]);
-  const Real footprint = lookup.pixel_footprint(
-      V(scene.vertex(triangle, 1)) - p0, V(scene.vertex(triangle, 2)) - p0,
-      Vec2<Real>(textures.texcoords[corners[1]]) - t0, Vec2<Real>(textures.texcoords[corners[2]]) - t0, dir,
-      solid_angle, distance);
+  const Real footprint =
+      lookup.pixel_footprint(V(scene.vertex(triangle, 1)) - p0, V(scene.vertex(triangle, 2)) - p0,
+                             Vec2<Real>(textures.texcoords[corners[1]]) - t0,
+                             Vec2<Real>(textures.texcoords[corners[2]]) - t0, dir, solid_angle, distance);
   const Vec2<Real> uv = texcoord_at(textures, triangle, u, v);
   SurfaceColors<Real> colors = plain_colors<Real>(m);
   colors.kd = lookup.mapped_color(m.texture_maps, HRT_MAP_DIFFUSE, colors.kd, uv, footprint);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/scene/scene.h"
-#include "core/scene/view.h"
-#include "core/trace/light_buffer.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <vector>
+
+#include "core/scene/scene.h"
+#include "core/scene/view.h"
+#include "core/trace/light_buffer.h"
 
 namespace hybridrt {
 
@@ -22,10 +22,10 @@ struct TraceJob {
   const View& view;
   std::vector<TracedLight> lights;  ///< at most HRT_MAX_LIGHTS (shaders/shared.h); all that cast shadows have buffers,
                                     ///< or none has
-  bool shadows = true;       ///< shadow rays at the hits of reflected and refracted rays
-  int reflection_depth = 4;  ///< generations after the primary one
-  vec3 ambient{0.15f};       ///< times Kd
-  vec3 background{0.7f};     ///< what rays see that meet nothing
+  bool shadows = true;              ///< shadow rays at the hits of reflected and refracted rays
+  int reflection_depth = 4;         ///< generations after the primary one
+  vec3 ambient{0.15f};              ///< times Kd
+  vec3 background{0.7f};            ///< what rays see that meet nothing
 
   bool eye_enclosed = false;  ///< see may_be_enclosed
 

@@ -55,7 +55,8 @@ class Painter {
     for (int lane = 0; lane < kPacket; ++lane) {
       asks[lane] = 0;
       if (!valid[lane] || primary.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
-      surfaces[lane] = surface_at(job_.scene, primary.hit.primID[lane], primary.hit.u[lane], primary.hit.v[lane], dirs[lane]);
+      surfaces[lane] =
+          surface_at(job_.scene, primary.hit.primID[lane], primary.hit.u[lane], primary.hit.v[lane], dirs[lane]);
       if (!job_.shadows || glm::dot(surfaces[lane].side, to_light_) <= 0) continue;
       asks[lane] = -1;
       set_ray(shadow, lane, leave(surfaces[lane], to_light_).origin, to_light_);

@@ -1,7 +1,7 @@
 #include "tests/bench/ray_sets.h"
 
-#include "core/procedural/procedural.h"
 #include "core/load/scene_source.h"
+#include "core/procedural/procedural.h"
 #include "core/trace/scatter.h"
 #include "core/trace/surface_at.h"
 
@@ -30,12 +30,12 @@ BenchScene load_bench_scene(const std::string& argument, ThreadPool& pool) {
   BenchScene made;
   made.scene = load_scene(argument, pool, warnings);
   const SceneShot shot = shot_of(argument);
-  const Camera camera =
-      shot.camera ? *shot.camera
-                  : camera_on_orbit(default_orbit(made.scene, double(kWidth_px) / kHeight_px, 0.7), 0.07);
+  const Camera camera = shot.camera
+                            ? *shot.camera
+                            : camera_on_orbit(default_orbit(made.scene, double(kWidth_px) / kHeight_px, 0.7), 0.07);
   made.view = make_view(camera, made.scene.origin_world, kWidth_px, kHeight_px);
   made.toward = shot.lights ? glm::normalize(shot.lights->front().toward)
-                           : glm::normalize(dvec3(0, 1, 0) - 0.6 * made.view.right + 0.3 * made.view.forward);
+                            : glm::normalize(dvec3(0, 1, 0) - 0.6 * made.view.right + 0.3 * made.view.forward);
   return made;
 }
 

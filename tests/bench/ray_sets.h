@@ -23,9 +23,8 @@ BenchScene load_bench_scene(const std::string& argument, ThreadPool& pool);
 /// The rays that a frame fires, in the order in which it fires them: tile by tile.
 struct RaySets {
   std::vector<Ray<float>> primary;
-  std::vector<ShadowQuery> shadow_all;  ///< of every pixel that faces the light
-  std::vector<ShadowQuery>
-      shadow_marked;  ///< of those with another answer within two pixels, as the paper marks them
+  std::vector<ShadowQuery> shadow_all;     ///< of every pixel that faces the light
+  std::vector<ShadowQuery> shadow_marked;  ///< of those with another answer within two pixels, as the paper marks them
   std::vector<Ray<float>> reflected_flat, reflected_curved;  ///< as though everything seen were a mirror
   std::vector<Ray<float>> refracted;  ///< as though everything seen were glass (Ni 1.5), entering it
 };

@@ -56,14 +56,9 @@ std::vector<dvec3> light_directions(const Scene& scene, const View& view) {
   const double grazing = std::tan(0.5 * kPi / 180), turn = kPi * random();
   const auto [e1, e2] = largest_face(scene);
   const dvec3 along = glm::normalize(e1 + 0.3 * e2), normal = glm::normalize(glm::cross(e1, e2));
-  std::vector<dvec3> lights = {{0, 1, 0},
-                               {1, 0, 0},
-                               {0, 0, -1},
-                               {0, grazing, 1},
-                               {std::cos(turn), grazing, std::sin(turn)},
-                               -view.forward,
-                               along,
-                               along + 1e-7 * normal};
+  std::vector<dvec3> lights = {
+      {0, 1, 0},     {1, 0, 0}, {0, 0, -1},           {0, grazing, 1}, {std::cos(turn), grazing, std::sin(turn)},
+      -view.forward, along,     along + 1e-7 * normal};
   while (lights.size() < kLights) lights.push_back({random(), 1 + random(), random()});
   for (dvec3& light : lights) light = glm::normalize(light);
   return lights;
@@ -93,8 +88,12 @@ View from_afar(View view, const Scene& scene) {
 class Proof {
  public:
   Proof(const Scene& scene, bool single, ThreadPool& pool)
-      : scene_(scene), single_(single), pool_(pool), sheets_(make_sheets(scene, build_topology(scene, pool), pool)),
-        tree_(build_kd_tree(scene, pool)), reference_(make_reference_caster(tree_)),
+      : scene_(scene),
+        single_(single),
+        pool_(pool),
+        sheets_(make_sheets(scene, build_topology(scene, pool), pool)),
+        tree_(build_kd_tree(scene, pool)),
+        reference_(make_reference_caster(tree_)),
         frame_caster_(make_kd_caster(tree_, LeafKernel::simd)) {}
 
   const RayCaster<double>& reference() const { return *reference_; }
@@ -178,9 +177,11 @@ class Proof {
     if (told++ >= 20) return;
     const dvec3 &o = query.origin, &l = buffer.toward;
     const auto side = [&](uint32_t triangle) { return triangle == kNoTriangle ? 0 : buffer.sides[triangle]; };
-    printf("  wrong: origin %.17g %.17g %.17g, light %.17g %.17g %.17g, triangle %u (side %d, front %d), in its way: "
-           "%d (side %d)\n", o.x, o.y, o.z, l.x, l.y, l.z, query.triangle, side(query.triangle), query.from_front,
-           static_cast<int>(in_the_way), side(in_the_way));
+    printf(
+        "  wrong: origin %.17g %.17g %.17g, light %.17g %.17g %.17g, triangle %u (side %d, front %d), in its way: "
+        "%d (side %d)\n",
+        o.x, o.y, o.z, l.x, l.y, l.z, query.triangle, side(query.triangle), query.from_front,
+        static_cast<int>(in_the_way), side(in_the_way));
   }
 
   const Scene& scene_;
@@ -242,7 +243,8 @@ int main(int argc, char** argv) {
 
   ThreadPool pool(options.threads);
   Tally total;
-  printf("%-40s %6s %10s %10s %9s %9s %6s %6s\n", "scene", "lights", "receivers", "queries", "shadowed", "asked", "wrong", "own");
+  printf("%-40s %6s %10s %10s %9s %9s %6s %6s\n", "scene", "lights", "receivers", "queries", "shadowed", "asked",
+         "wrong", "own");
   for (const std::string& scene : options.scenes) {
     const Tally tally = prove(scene, options, pool);
     print(scene.c_str(), tally);

@@ -9,9 +9,9 @@
 #include <functional>
 #include <string_view>
 
+#include "core/passes_cpu/trace_pass.h"
 #include "core/trace/embree_caster.h"
 #include "core/trace/kd_caster.h"
-#include "core/passes_cpu/trace_pass.h"
 #include "tests/bench/embree_frame.h"
 #include "tests/bench/ray_sets.h"
 
@@ -151,8 +151,7 @@ void add_builds(Workload& work, int threads) {
   })->UseRealTime();
   add("build/light_buffer", [&, triangles](benchmark::State& state) {
     LightBuffer buffer;
-    for (auto _ : state)
-      buffer = build_light_buffer(work.bench.scene, work.sheets, work.bench.toward, work.pool);
+    for (auto _ : state) buffer = build_light_buffer(work.bench.scene, work.sheets, work.bench.toward, work.pool);
     state.counters["bytes/triangle"] = static_cast<double>(memory_bytes(buffer)) / triangles;
     state.counters["entries"] = static_cast<double>(buffer.entries.size());
     state.counters["cells"] = static_cast<double>(buffer.cells.size() - 1);

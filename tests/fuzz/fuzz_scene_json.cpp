@@ -14,8 +14,7 @@ void read_input(std::string_view bytes) {
   const SceneDescription scene = read_scene_file(file);
   if (scene.lights)
     for (const DirectionalLight& light : *scene.lights)
-      if (!(std::abs(glm::length(light.toward) - 1) < 1e-9))
-        throw std::logic_error("a light's direction is not unit");
+      if (!(std::abs(glm::length(light.toward) - 1) < 1e-9)) throw std::logic_error("a light's direction is not unit");
   Warnings warnings;
   read_scene_file_camera(file, {UpAxis::y, 0.8}, warnings);
 }

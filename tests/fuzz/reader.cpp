@@ -13,7 +13,8 @@ bool takes(std::string_view bytes) {
     return true;
   } catch (const Error& refused) {
     const std::string_view message = refused.what();
-    if (refused.kind() != ErrorKind::input) throw std::logic_error("refused as what it is not: " + std::string(message));
+    if (refused.kind() != ErrorKind::input)
+      throw std::logic_error("refused as what it is not: " + std::string(message));
     if (message.empty() || message.find('\n') != message.npos)
       throw std::logic_error("not one line: '" + std::string(message) + "'");
     return false;

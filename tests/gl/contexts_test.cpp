@@ -2,8 +2,8 @@
 
 #include "core/base/parallel.h"
 #include "core/gl/program.h"
-#include "core/render/gl_renderer.h"
 #include "core/procedural/spheres.h"
+#include "core/render/gl_renderer.h"
 #include "tests/gl/gl_test.h"
 
 namespace hybridrt {
@@ -66,28 +66,20 @@ TEST_P(Contexts, OpensAgainAfterItWasClosed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Contexts,
-    testing::Values(Way{"egl_device", {gl::Binding::egl, "egl:0"}, "EGL device"},
-                    Way{"egl_surfaceless", {gl::Binding::egl, "surfaceless"}, "EGL surfaceless"},
-                    Way{"osmesa", {gl::Binding::osmesa, ""}, "OSMesa"},
-                    Way{"osmesa_by_id", {gl::Binding::any, "osmesa"}, "OSMesa"}),
-    [](const auto& way) { return way.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, Contexts,
+                         testing::Values(Way{"egl_device", {gl::Binding::egl, "egl:0"}, "EGL device"},
+                                         Way{"egl_surfaceless", {gl::Binding::egl, "surfaceless"}, "EGL surfaceless"},
+                                         Way{"osmesa", {gl::Binding::osmesa, ""}, "OSMesa"},
+                                         Way{"osmesa_by_id", {gl::Binding::any, "osmesa"}, "OSMesa"}),
+                         [](const auto& way) { return way.param.name; });
 
 TEST(ContextErrors, UnknownDeviceIsNamed) {
   for (const char* id : {"egl:99", "nonsense", "EGL:0"})
-    EXPECT_NE(device_error([&] {
-                gl::open_context({gl::Binding::any, id});
-              }).find(id),
-              std::string::npos)
-        << id;
+    EXPECT_NE(device_error([&] { gl::open_context({gl::Binding::any, id}); }).find(id), std::string::npos) << id;
 }
 
 TEST(ContextErrors, DeviceOfAnotherBindingIsNamed) {
-  EXPECT_NE(device_error([] {
-              gl::open_context({gl::Binding::egl, "osmesa"});
-            }).find("osmesa"),
-            std::string::npos);
+  EXPECT_NE(device_error([] { gl::open_context({gl::Binding::egl, "osmesa"}); }).find("osmesa"), std::string::npos);
 }
 
 TEST(ContextErrors, RequiredHardwareSaysWhatWasTried) {
@@ -111,8 +103,7 @@ TEST(ContextErrors, ProbeFindsWhatOpens) {
 }
 
 TEST(Limits, AreNamed) {
-  const std::string message =
-      device_error([] { gl::require_limit("a picture width", 20000, "GL_MAX_X", 16384); });
+  const std::string message = device_error([] { gl::require_limit("a picture width", 20000, "GL_MAX_X", 16384); });
   for (const char* part : {"a picture width", "20000", "GL_MAX_X", "16384"})
     EXPECT_NE(message.find(part), std::string::npos) << message;
   EXPECT_NO_THROW(gl::require_limit("a picture width", 16384, "GL_MAX_X", 16384));

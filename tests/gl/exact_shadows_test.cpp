@@ -1,4 +1,5 @@
-// `--shadows exact` through GL against the double-precision reference: not one wrong shadow, and hardly a wrong triangle.
+// `--shadows exact` through GL against the double-precision reference: not one wrong shadow, and hardly a wrong
+// triangle.
 
 #include "core/trace/triangle.h"
 #include "tests/gl/frame_test.h"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/load/scene_source.h"
 #include "core/render/default_view.h"
 #include "core/render/render_job.h"
-#include "core/load/scene_source.h"
 
 namespace hybridrt {
 
@@ -33,8 +33,7 @@ inline RenderJob orbit_job(const std::string& scene, int frames, int width_px = 
 inline std::vector<Frame> render_all(const RenderJob& job, RunFacts* facts = nullptr) {
   std::vector<Frame> frames;
   const RunFacts found = run(
-      job, [](const RunFacts&) {}, [] { return false; },
-      [&](Frame&& frame) { frames.push_back(std::move(frame)); });
+      job, [](const RunFacts&) {}, [] { return false; }, [&](Frame&& frame) { frames.push_back(std::move(frame)); });
   if (facts) *facts = found;
   return frames;
 }
@@ -51,8 +50,7 @@ inline bool has_context(const gl::ContextRequest& request, std::string* why = nu
 }
 
 /// The bits of all pixels, AOVs too, and the counts: what must not depend on how a frame was made.
-inline void expect_same_frames(const std::vector<Frame>& a, const std::vector<Frame>& b,
-                               const std::string& what) {
+inline void expect_same_frames(const std::vector<Frame>& a, const std::vector<Frame>& b, const std::string& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
   for (size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].number, b[i].number) << what;

@@ -29,8 +29,8 @@ class GlTest : public testing::Test {
 
 /// A texture's pixels, rows tightly packed, row 0 first, layer after layer.
 template <typename Pixel>
-std::vector<Pixel> read_pixels(const gl::Functions& gl, const gl::TextureName& texture, int width_px,
-                               int height_px, GLenum format, GLenum type, size_t layers = 1) {
+std::vector<Pixel> read_pixels(const gl::Functions& gl, const gl::TextureName& texture, int width_px, int height_px,
+                               GLenum format, GLenum type, size_t layers = 1) {
   std::vector<Pixel> pixels(layers * width_px * height_px);
   gl::Readback readback(gl, pixels.size() * sizeof(Pixel), "test readback");
   readback.start(texture, format, type);
@@ -41,8 +41,8 @@ std::vector<Pixel> read_pixels(const gl::Functions& gl, const gl::TextureName& t
 }
 
 template <typename Pixel>
-void write_pixels(const gl::Functions& gl, const gl::Texture& texture, int width_px, int height_px,
-                  GLenum format, GLenum type, const std::vector<Pixel>& pixels) {
+void write_pixels(const gl::Functions& gl, const gl::Texture& texture, int width_px, int height_px, GLenum format,
+                  GLenum type, const std::vector<Pixel>& pixels) {
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TextureSubImage2D(texture.id(), 0, 0, 0, width_px, height_px, format, type, pixels.data());
   gl::throw_on_error(gl, "test upload");

@@ -1,5 +1,5 @@
-// shaders/surface.glsl and shadow_warp.glsl on the GPU and as C++ must mean the same: thousands of random inputs through
-// both.
+// shaders/surface.glsl and shadow_warp.glsl on the GPU and as C++ must mean the same: thousands of random inputs
+// through both.
 
 #include <algorithm>
 #include <random>
@@ -75,17 +75,11 @@ vec3 color_of(const PhongCase& c, const vec3& to_light) {
 }
 
 PhongCase random_phong(Random& random, int i) {
-  PhongCase c{random.color(),
-              random.color(),
-              random.color(),
-              random.direction(),
-              random.direction(),
-              random.direction(),
-              random.color(),
-              random.color(),
-              0,
+  PhongCase c{random.color(),     random.color(),     random.color(),
+              random.direction(), random.direction(), random.direction(),
+              random.color(),     random.color(),     0,
               random.unit()};
-  c.ns = i % 8 == 0 ? 0 : std::exp2(10 * random.unit());  // up to 1024
+  c.ns = i % 8 == 0 ? 0 : std::exp2(10 * random.unit());                         // up to 1024
   if (i % 7 == 0) c.to_light = -c.normal;                                        // from behind
   if (i % 11 == 0) c.to_light = -c.to_eye;                                       // no half vector
   if (i % 13 == 0) c.to_light = glm::normalize(glm::cross(c.normal, c.to_eye));  // at the horizon
@@ -117,8 +111,7 @@ TEST_F(GlslAgainstCpp, Phong) {
     float error = largest_difference(vec3(colors[i]), expected);
     if (std::abs(glm::dot(c.normal, c.to_light)) < 1e-6f)
       for (float nudge : {-2e-6f, 2e-6f})
-        error =
-            std::min(error, largest_difference(vec3(colors[i]), color_of(c, c.to_light + nudge * c.normal)));
+        error = std::min(error, largest_difference(vec3(colors[i]), color_of(c, c.to_light + nudge * c.normal)));
     EXPECT_LE(error, bound) << "case " << i << " ns " << c.ns;
     worst = std::max(worst, error / bound);
   }
@@ -138,8 +131,7 @@ TEST_F(GlslAgainstCpp, ClampedBarycentrics) {
   for (int i = 0; i < kCases; ++i) {
     const vec3 center = random.in_cube(10);
     const float size = std::exp2(6 * random.unit() - 3);
-    Corner c{center + random.in_cube(size), center + random.in_cube(size), center + random.in_cube(size),
-             vec3(0)};
+    Corner c{center + random.in_cube(size), center + random.in_cube(size), center + random.in_cube(size), vec3(0)};
     c.dir = center + random.in_cube(size);
     if (i % 16 == 0) c.p2 = c.p1;  // no area: seen edge-on from everywhere
     cases.push_back(c);

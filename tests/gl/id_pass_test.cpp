@@ -21,11 +21,9 @@ dvec2 nearest_on_segment(const dvec2& a, const dvec2& b, const dvec2& p) {
 
 /// Whether pixel (x, y) may see `id` although its centre does not: no triangle lies there, or `id` is drawn
 /// within kSnap_px of the centre and no farther away than what the centre sees.
-bool explained_by_snapping(const Scene& scene, const View& view, const PrimaryRays& rays, uint32_t id, int x,
-                           int y) {
+bool explained_by_snapping(const Scene& scene, const View& view, const PrimaryRays& rays, uint32_t id, int x, int y) {
   for (int i = 0; i < 16; ++i)
-    if (rays.triangle_at(view, x, y, kSnap_px * std::cos(i * kPi / 8), kSnap_px * std::sin(i * kPi / 8)) ==
-        id)
+    if (rays.triangle_at(view, x, y, kSnap_px * std::cos(i * kPi / 8), kSnap_px * std::sin(i * kPi / 8)) == id)
       return true;
   if (id == kNoTriangle) return false;
   dvec2 corners[3];  // pixels
@@ -41,8 +39,8 @@ bool explained_by_snapping(const Scene& scene, const View& view, const PrimaryRa
   const dvec2 centre(x + 0.5, y + 0.5);
   double nearest = std::numeric_limits<double>::infinity();
   for (int corner = 0; corner < 3; ++corner)
-    nearest = std::min(nearest, glm::distance(centre, nearest_on_segment(corners[corner],
-                                                                         corners[(corner + 1) % 3], centre)));
+    nearest = std::min(nearest,
+                       glm::distance(centre, nearest_on_segment(corners[corner], corners[(corner + 1) % 3], centre)));
   return nearest <= kSnap_px && distance <= 1.01 * rays.closest({view.eye, view.pixel_dir(x, y)}).t;
 }
 
@@ -50,8 +48,7 @@ class IdPass : public GlTest {
  protected:
   void expect_ids_of_rays(const Scene& scene, const Camera& camera, int width = 400, int height = 300) {
     const View view = make_view(camera, scene.origin_world, width, height);
-    const FramePlan plan =
-        make_frame_plan(scene, make_scene_facts(scene), {1, camera, {}}, settings(width, height));
+    const FramePlan plan = make_frame_plan(scene, make_scene_facts(scene), {1, camera, {}}, settings(width, height));
     const std::vector<uint32_t> ids = SeenScene(context(), scene, view, plan.near_distance).read_ids();
     const PrimaryRays rays(scene);
     int hit = 0, differ = 0, unexplained = 0;

@@ -1,8 +1,8 @@
 // Pass 3 against a plain k x k blur written out.
 
 #include "core/passes_gl/mark_boundary.h"
-#include "tests/gl/gl_test.h"
 #include "shaders/shared.h"
+#include "tests/gl/gl_test.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
@@ -50,8 +50,8 @@ class MarkPass : public GlTest {
     ASSERT_TRUE(std::all_of(all.begin() + 2 * mask.size(), all.end(), [](uint8_t m) { return m == 77; }));
     const Mask expected = marked_by_hand(mask, width, height, kernel);
     for (size_t i = 0; i < marked.size(); ++i)
-      ASSERT_EQ(int(marked[i]), int(expected[i])) << "pixel " << i % width << ' ' << i / width << " of "
-                                                  << width << 'x' << height << ", kernel " << kernel;
+      ASSERT_EQ(int(marked[i]), int(expected[i]))
+          << "pixel " << i % width << ' ' << i / width << " of " << width << 'x' << height << ", kernel " << kernel;
     const bool any = std::any_of(marked.begin(), marked.end(), [](uint8_t m) { return m & HRT_MASK_MARKED; });
     EXPECT_FALSE(kernel == 1 && any) << "one pixel alone has no boundary";
   }

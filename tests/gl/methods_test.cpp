@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/render/aov.h"
 #include "core/image/compare.h"
+#include "core/render/aov.h"
 #include "tests/gl/frame_test.h"
 #include "tests/gl/gl_test.h"
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/passes_gl/id_buffer.h"
+#include "core/mesh/normals.h"
 #include "core/passes/receiver_hull.h"
+#include "core/passes_gl/id_buffer.h"
 #include "core/passes_gl/receiver_depths.h"
 #include "core/render/frame_plan.h"
-#include "core/mesh/normals.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/triangle.h"
 #include "tests/gl/gl_test.h"

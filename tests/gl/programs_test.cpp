@@ -24,8 +24,7 @@ class Programs : public GlTest {
 constexpr const char* kEmptyCompute = "#version 450 core\nlayout(local_size_x = 1) in;\nvoid main() {}\n";
 
 TEST_F(Programs, CompilerLogIsPartOfTheError) {
-  const std::string broken =
-      "#version 450 core\nlayout(local_size_x = 1) in;\n\nvoid main() { no_such_name = 1; }\n";
+  const std::string broken = "#version 450 core\nlayout(local_size_x = 1) in;\n\nvoid main() { no_such_name = 1; }\n";
   const std::string message = compile_error({{"broken.comp", broken}}, {"broken.comp"});
   EXPECT_NE(message.find("broken.comp"), std::string::npos) << message;
   EXPECT_NE(message.find("no_such_name"), std::string::npos) << message;
@@ -86,9 +85,7 @@ TEST_F(Readbacks, UnwrittenPixelsThrow) {
   for (const uint32_t pixel : {0u, 0xFFFFFFFFu, 0xFEFEFEFEu}) {
     const gl::Texture texture(gl(), GL_R32UI, 4, 4, "texture");
     write_pixels(gl(), texture, 4, 4, GL_RED_INTEGER, GL_UNSIGNED_INT, std::vector<uint32_t>(16, pixel));
-    const auto read = [&] {
-      return read_pixels<uint32_t>(gl(), texture, 4, 4, GL_RED_INTEGER, GL_UNSIGNED_INT);
-    };
+    const auto read = [&] { return read_pixels<uint32_t>(gl(), texture, 4, 4, GL_RED_INTEGER, GL_UNSIGNED_INT); };
     if (pixel == 0xFEFEFEFEu)
       EXPECT_THROW(read(), Error);
     else

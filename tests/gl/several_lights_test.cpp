@@ -132,17 +132,15 @@ TEST_P(SeveralLights, MapsAndBuffersAreKeptWhileTheyStandStill) {
   expect_kept();
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, SeveralLights,
-                         testing::Values(Mode{Method::hybrid, ShadowMode::none}, Mode{Method::hybrid, ShadowMode::map},
-                                         Mode{Method::hybrid, ShadowMode::blur},
-                                         Mode{Method::hybrid, ShadowMode::exact},
-                                         Mode{Method::hybrid, ShadowMode::rays}, Mode{Method::raster, ShadowMode::none},
-                                         Mode{Method::raster, ShadowMode::map},
-                                         Mode{Method::raytrace, ShadowMode::none},
-                                         Mode{Method::raytrace, ShadowMode::rays},
-                                         Mode{Method::reference, ShadowMode::none},
-                                         Mode{Method::reference, ShadowMode::rays}),
-                         name_of_mode);
+INSTANTIATE_TEST_SUITE_P(
+    Modes, SeveralLights,
+    testing::Values(Mode{Method::hybrid, ShadowMode::none}, Mode{Method::hybrid, ShadowMode::map},
+                    Mode{Method::hybrid, ShadowMode::blur}, Mode{Method::hybrid, ShadowMode::exact},
+                    Mode{Method::hybrid, ShadowMode::rays}, Mode{Method::raster, ShadowMode::none},
+                    Mode{Method::raster, ShadowMode::map}, Mode{Method::raytrace, ShadowMode::none},
+                    Mode{Method::raytrace, ShadowMode::rays}, Mode{Method::reference, ShadowMode::none},
+                    Mode{Method::reference, ShadowMode::rays}),
+    name_of_mode);
 
 }  // namespace
 }  // namespace hybridrt

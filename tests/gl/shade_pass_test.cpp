@@ -3,8 +3,8 @@
 #include "core/passes_gl/shade.h"
 #include "core/procedural/spheres.h"
 #include "core/trace/surface_at.h"
-#include "tests/gl/pass_test.h"
 #include "shaders/shared.h"
+#include "tests/gl/pass_test.h"
 
 namespace hybridrt {
 namespace {
@@ -36,8 +36,7 @@ class ShadePassTest : public GlTest {
   }
 
   dvec3 expected(size_t pixel, uint32_t triangle, bool use_mask, bool use_traced) const {
-    const dvec3 dir =
-        view_.pixel_dir(static_cast<int>(pixel % kWidth_px), static_cast<int>(pixel / kWidth_px));
+    const dvec3 dir = view_.pixel_dir(static_cast<int>(pixel % kWidth_px), static_cast<int>(pixel / kWidth_px));
     const dvec3 weights = clamped_barycentrics(dvec3(scene_.vertex(triangle, 0)) - view_.eye,
                                                dvec3(scene_.vertex(triangle, 1)) - view_.eye,
                                                dvec3(scene_.vertex(triangle, 2)) - view_.eye, dir);
@@ -48,8 +47,8 @@ class ShadePassTest : public GlTest {
       // "A surface seen from its unlit side is in shadow."
       const dvec3 toward = lights_[l].toward;
       const bool masked = use_mask && lights_[l].casts_shadow;
-      const bool lit = glm::dot(surface.side, toward) > 0 &&
-                       !(masked && !(lit_[l * kWidth_px * kHeight_px + pixel] & HRT_MASK_LIT));
+      const bool lit =
+          glm::dot(surface.side, toward) > 0 && !(masked && !(lit_[l * kWidth_px * kHeight_px + pixel] & HRT_MASK_LIT));
       const double cosine = glm::dot(surface.normal, toward);
       if (!lit || cosine <= 0) continue;
       const dvec3 halfway = glm::normalize(toward + glm::normalize(-dir));
@@ -68,8 +67,8 @@ class ShadePassTest : public GlTest {
     write_layers(gl(), mask, kWidth_px, kHeight_px, GL_RED_INTEGER, GL_UNSIGNED_BYTE, lit_);
     write_pixels(gl(), traced, kWidth_px, kHeight_px, GL_RGBA, GL_FLOAT, traced_);
     ShadePass(gl(), gl::embedded_shaders(), lights_.size())
-        .run({seen.gpu, view_, seen.ids, use_mask ? &mask : nullptr, use_traced ? &traced : nullptr, lights_,
-              ambient_, background_},
+        .run({seen.gpu, view_, seen.ids, use_mask ? &mask : nullptr, use_traced ? &traced : nullptr, lights_, ambient_,
+              background_},
              {picture});
     const auto pixels = read_pixels<vec4>(gl(), picture, kWidth_px, kHeight_px, GL_RGBA, GL_FLOAT);
     const std::vector<uint32_t> ids = seen.read_ids();

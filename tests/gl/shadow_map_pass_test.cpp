@@ -3,8 +3,8 @@
 #include "core/passes_gl/shadow_map.h"
 #include "core/procedural/spheres.h"
 #include "core/trace/surface.h"
-#include "tests/gl/pass_test.h"
 #include "shaders/shared.h"
+#include "tests/gl/pass_test.h"
 
 namespace hybridrt {
 namespace {
@@ -16,8 +16,7 @@ constexpr double kDepthError = 4e-6;
 
 struct ShadowMap {
   ShadowMap(const gl::Functions& gl, const SceneGpu& scene, const ShadowMapFit& fit, int size_px)
-      : depth(gl, GL_DEPTH_COMPONENT32F, size_px, size_px, "shadow map"),
-        target(gl, nullptr, depth, "shadow map") {
+      : depth(gl, GL_DEPTH_COMPONENT32F, size_px, size_px, "shadow map"), target(gl, nullptr, depth, "shadow map") {
     ShadowMapPass(gl, gl::embedded_shaders()).run({scene, fit, size_px}, {target});
   }
   gl::Texture depth;
@@ -38,8 +37,8 @@ class ShadowMapTest : public GlTest {
   }
 
   /// Whether snapping can have moved the surface `hit` to depth `drawn` at a place of the map.
-  static bool explains(const Scene& scene, const ShadowMapFit& fit, const Hit<double>& hit, double x,
-                       double y, double drawn) {
+  static bool explains(const Scene& scene, const ShadowMapFit& fit, const Hit<double>& hit, double x, double y,
+                       double drawn) {
     if (!hit.found()) return drawn == 1;
     dvec3 p[3];  // texels and what the map holds
     for (int corner = 0; corner < 3; ++corner) {
@@ -72,8 +71,7 @@ class ShadowMapTest : public GlTest {
         // Snapping moves outlines: one of the surfaces close by must be what was drawn.
         bool explained = explains(scene, fit, truth, x + 0.5, y + 0.5, drawn);
         for (int i = 0; i < 16 && !explained; ++i) {
-          const double across = kSnap_texels * std::cos(i * kPi / 8),
-                       along = kSnap_texels * std::sin(i * kPi / 8);
+          const double across = kSnap_texels * std::cos(i * kPi / 8), along = kSnap_texels * std::sin(i * kPi / 8);
           const Hit<double> near = nearest_at(rays, fit, x + 0.5 + across, y + 0.5 + along);
           explained = explains(scene, fit, near, x + 0.5, y + 0.5, drawn);
         }
@@ -91,9 +89,7 @@ TEST_F(ShadowMapTest, DepthOfSpheres) {
     expect_depth_of_rays(scene, toward);
 }
 
-TEST_F(ShadowMapTest, DepthOfSoup) {
-  expect_depth_of_rays(with_normals(random_soup(11, 200, 0.5f)), {0.6, 0.5, -0.7});
-}
+TEST_F(ShadowMapTest, DepthOfSoup) { expect_depth_of_rays(with_normals(random_soup(11, 200, 0.5f)), {0.6, 0.5, -0.7}); }
 
 // A flat scene still has a depth, and light along it is no trouble.
 TEST_F(ShadowMapTest, FlatScene) {
@@ -131,8 +127,8 @@ struct SeenFrom {
 };
 class ShadowTest : public ShadowMapTest, public testing::WithParamInterface<SeenFrom> {};
 
-// Where no shadow's edge is near, the map and a ray agree, unless the light all but grazes a surface: offsets have their
-// limit.
+// Where no shadow's edge is near, the map and a ray agree, unless the light all but grazes a surface: offsets have
+// their limit.
 TEST_P(ShadowTest, AgreesWithRaysAwayFromEdges) {
   const int width = 400, height = 300, map_px = 2048, reach = 4;
   const double grazing_cos = 0.05;
@@ -140,12 +136,11 @@ TEST_P(ShadowTest, AgreesWithRaysAwayFromEdges) {
   const View view = make_view(camera_at_angle(scene, 0.5, 0.6), dvec3(0), width, height);
   const SeenScene seen(context(), scene, view, 1e-5);
   const LightFrame light = fit_light_frame(scene, glm::normalize(GetParam().toward));
-  const ShadowMapFit fit = GetParam().warped ? fit_shadow_map(light, view, seen.receivers(1e-5), map_px)
-                                             : uniform_shadow_map(light, map_px);
+  const ShadowMapFit fit =
+      GetParam().warped ? fit_shadow_map(light, view, seen.receivers(1e-5), map_px) : uniform_shadow_map(light, map_px);
   const ShadowMap map(gl(), seen.gpu, fit, map_px);
   const gl::Texture mask(gl(), GL_R8UI, width, height, "mask");
-  ShadowTestPass(gl(), gl::embedded_shaders())
-      .run({seen.gpu, view, light.toward, fit, seen.ids, map.depth}, {mask});
+  ShadowTestPass(gl(), gl::embedded_shaders()).run({seen.gpu, view, light.toward, fit, seen.ids, map.depth}, {mask});
   const auto tested = read_pixels<uint8_t>(gl(), mask, width, height, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
 
   const std::vector<uint32_t> ids = seen.read_ids();
@@ -163,8 +158,7 @@ TEST_P(ShadowTest, AgreesWithRaysAwayFromEdges) {
       const double t = glm::dot(p0 - view.eye, normal) / glm::dot(dir, normal);
       const double cos_light = glm::dot(normal, light.toward);
       grazed[i] = cos_light > 0 && cos_light < grazing_cos;
-      const bool dark = cos_light <= 0 ||
-                        rays.occluded({view.eye + t * dir + 1e-6 * normal, light.toward});
+      const bool dark = cos_light <= 0 || rays.occluded({view.eye + t * dir + 1e-6 * normal, light.toward});
       truth[i] = dark ? 0 : HRT_MASK_LIT;
     }
 

@@ -49,8 +49,9 @@ TEST_F(ShadowWarpTest, LowOverAFloorFewerPixelsAreWrong) {
     size_t wrong[2][2];
     for (int blur : {0, 1})
       for (int warped : {0, 1})
-        wrong[blur][warped] = wrong_pixels(render(job, blur ? ShadowMode::blur : ShadowMode::map,
-                                                  warped ? ShadowWarp::lispsm : ShadowWarp::uniform), truth);
+        wrong[blur][warped] = wrong_pixels(
+            render(job, blur ? ShadowMode::blur : ShadowMode::map, warped ? ShadowWarp::lispsm : ShadowWarp::uniform),
+            truth);
     EXPECT_LT(2 * wrong[0][1], wrong[0][0]) << "light " << toward.y;
     EXPECT_LE(wrong[1][1], wrong[1][0]) << "light " << toward.y;
   }

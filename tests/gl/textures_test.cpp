@@ -67,8 +67,7 @@ TEST_F(TexturesOnTheGpu, AreFilteredAsInCpp) {
     float worst = 0;
     int other_holes = 0, holes = 0;
     for (int i = 0; i < kCases; ++i) {
-      const vec3 difference =
-          glm::abs(lookup.texture_color(record, vec2(cases[i]), cases[i].z) - vec3(found[i]));
+      const vec3 difference = glm::abs(lookup.texture_color(record, vec2(cases[i]), cases[i].z) - vec3(found[i]));
       worst = std::max({worst, difference.x, difference.y, difference.z});
       const bool hole = lookup.has_hole(maps, vec2(cases[i]));
       holes += hole;

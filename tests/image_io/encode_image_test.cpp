@@ -155,8 +155,7 @@ TEST(EncodeImage, EqualImagesGiveEqualBytesInEveryFormat) {
 
 TEST(EncodeImage, MetadataComesBack) {
   for (const char* format : {"png", "exr", "tif", "jpg", "tga"})
-    EXPECT_EQ(read_image_metadata(EncodedFile(gradient(8, 8, 3), format, kMetadata).path), kMetadata)
-        << format;
+    EXPECT_EQ(read_image_metadata(EncodedFile(gradient(8, 8, 3), format, kMetadata).path), kMetadata) << format;
   EXPECT_TRUE(read_image_metadata(EncodedFile(gradient(8, 8, 3), "png").path).empty());
 }
 
@@ -170,8 +169,7 @@ TEST(EncodeImage, RefusesNonFiniteValues) {
         ADD_FAILURE() << format << " took " << bad;
       } catch (const Error& refusal) {
         EXPECT_EQ(refusal.kind(), ErrorKind::output);
-        EXPECT_NE(std::string(refusal.what()).find("pixel (3, 5), channel 2"), std::string::npos)
-            << refusal.what();
+        EXPECT_NE(std::string(refusal.what()).find("pixel (3, 5), channel 2"), std::string::npos) << refusal.what();
       }
     }
 }
@@ -179,8 +177,8 @@ TEST(EncodeImage, RefusesNonFiniteValues) {
 TEST(EncodeImage, KnowsWhatCannotBeWritten) {
   for (const char* name : {"png", ".png", "PNG", "out/a.0001.exr", "a.b/c.JPG", "tif", "tiff"})
     EXPECT_TRUE(can_write_format(name)) << name;
-  for (const char* name : {"", ".", "xyz", "out/name", "out.png/name", "null", "a.null", "term", "txt", "psd",
-                           "sgi", "dpx", "rla", "heic", "/"})
+  for (const char* name : {"", ".", "xyz", "out/name", "out.png/name", "null", "a.null", "term", "txt", "psd", "sgi",
+                           "dpx", "rla", "heic", "/"})
     EXPECT_FALSE(can_write_format(name)) << name;
   EXPECT_NO_THROW(require_writable_format("out/a.png"));
   try {

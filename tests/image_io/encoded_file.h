@@ -16,8 +16,7 @@ inline Image gradient(int width, int height, int channels) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < channels; ++c)
-        image.pixel(x, y)[c] =
-            static_cast<float>((x + 0.5) / width * (c + 1) + (y + 0.5) / height) / (channels + 1);
+        image.pixel(x, y)[c] = static_cast<float>((x + 0.5) / width * (c + 1) + (y + 0.5) / height) / (channels + 1);
   return image;
 }
 
@@ -26,8 +25,7 @@ struct EncodedFile {
   std::filesystem::path path;
 
   EncodedFile(const std::string& bytes, const std::string& extension) {
-    std::string name =
-        (std::filesystem::temp_directory_path() / ("hybridrt-test-XXXXXX." + extension)).string();
+    std::string name = (std::filesystem::temp_directory_path() / ("hybridrt-test-XXXXXX." + extension)).string();
     ::close(::mkstemps(name.data(), static_cast<int>(extension.size()) + 1));
     path = name;
     std::ofstream(path, std::ios::binary) << bytes;
@@ -41,9 +39,7 @@ struct EncodedFile {
   EncodedFile(const EncodedFile&) = delete;
   EncodedFile& operator=(const EncodedFile&) = delete;
 
-  static std::string as_string(const std::vector<unsigned char>& bytes) {
-    return {bytes.begin(), bytes.end()};
-  }
+  static std::string as_string(const std::vector<unsigned char>& bytes) { return {bytes.begin(), bytes.end()}; }
 };
 
 }  // namespace hybridrt

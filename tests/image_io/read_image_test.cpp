@@ -29,8 +29,7 @@ std::string bmp_header(int32_t width, int32_t height) {
     for (int i = 0; i < size; ++i) bytes[at + i] = static_cast<char>(value >> (8 * i));
   };
   bytes[0] = 'B', bytes[1] = 'M';
-  put(2, 54, 4), put(10, 54, 4), put(14, 40, 4), put(18, width, 4), put(22, height, 4), put(26, 1, 2),
-      put(28, 24, 2);
+  put(2, 54, 4), put(10, 54, 4), put(14, 40, 4), put(18, width, 4), put(22, height, 4), put(26, 1, 2), put(28, 24, 2);
   return bytes;
 }
 
@@ -63,8 +62,7 @@ TEST(ReadImage, WrongExtensionsAreSeenThrough) {
   for (const char* format : {"png", "exr", "bmp"}) {
     const std::string bytes = EncodedFile::as_string(encode_image(image, format));
     for (const char* extension : {"jpg", "tga", "xyz"})
-      EXPECT_EQ(read_image(EncodedFile(bytes, extension).path).data,
-                read_image(EncodedFile(bytes, format).path).data)
+      EXPECT_EQ(read_image(EncodedFile(bytes, extension).path).data, read_image(EncodedFile(bytes, format).path).data)
           << format << " called " << extension;
   }
 }
@@ -120,8 +118,8 @@ TEST(ReadTexels, GivesDisplayCodesOfEveryFormat) {
     EXPECT_FALSE(texels.has_alpha);
     ASSERT_EQ(texels.texels.size(), image.pixel_count()) << format;
     for (size_t i = 0; i < image.pixel_count(); ++i)
-      ASSERT_EQ(texels.texels[i],
-                codes[3 * i] | codes[3 * i + 1] << 8 | codes[3 * i + 2] << 16 | 0xFF000000u) << format << ' ' << i;
+      ASSERT_EQ(texels.texels[i], codes[3 * i] | codes[3 * i + 1] << 8 | codes[3 * i + 2] << 16 | 0xFF000000u)
+          << format << ' ' << i;
   }
 }
 

@@ -27,8 +27,7 @@ inline void expect_closed(const Scene& scene) {
   std::sort(edges.begin(), edges.end());
   EXPECT_TRUE(std::adjacent_find(edges.begin(), edges.end()) == edges.end()) << "each direction once";
   size_t open = 0;
-  for (const uint64_t edge : edges)
-    open += !std::binary_search(edges.begin(), edges.end(), edge << 32 | edge >> 32);
+  for (const uint64_t edge : edges) open += !std::binary_search(edges.begin(), edges.end(), edge << 32 | edge >> 32);
   EXPECT_EQ(open, 0u);
 }
 

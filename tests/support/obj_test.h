@@ -34,14 +34,11 @@ inline std::string error_of(std::string_view obj) {
   return "";
 }
 
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != text.npos;
-}
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
 /// Whether exactly one warning says `part`.
 inline bool warned(const Warnings& warnings, const std::string& part) {
-  return std::count_if(warnings.begin(), warnings.end(), [&](const auto& w) { return contains(w, part); }) ==
-         1;
+  return std::count_if(warnings.begin(), warnings.end(), [&](const auto& w) { return contains(w, part); }) == 1;
 }
 
 inline const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";

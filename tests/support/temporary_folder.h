@@ -34,8 +34,7 @@ struct TemporaryFolder {
   /// Names in the folder, hidden ones too.
   std::set<std::string> names() const {
     std::set<std::string> result;
-    for (const auto& entry : std::filesystem::directory_iterator(path))
-      result.insert(entry.path().filename().string());
+    for (const auto& entry : std::filesystem::directory_iterator(path)) result.insert(entry.path().filename().string());
     return result;
   }
 };

@@ -81,13 +81,13 @@ Scene textured_room() {
                "newmtl floor\nKd 0.9 0.9 0.9\nmap_Kd -s 3 5 noise.png\nnewmtl leaf\nmap_Kd leaf.png\n"
                "newmtl mirror\nKd 0.2 0.2 0.2\nKs 0.8 0.8 0.8\nNs 50\nillum 3\nmap_Ks mask.png\n"
                "newmtl lamp\nKd 0 0 0\nKe 1 1 1\nmap_Ke -mm 0.1 0.5 -clamp on noise.png\n");
-  const std::filesystem::path obj = folder.write(
-      "room.obj",
-      "mtllib room.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt -0.5 0\n"
-      "v -4 0 -4\nv 4 0 -4\nv 4 0 4\nv -4 0 4\nusemtl floor\nf 4/1 3/2 2/3 1/4\n"
-      "v -2 1 -2\nv 1 1.5 -2\nv 1 1.5 2\nv -2 1 2\nusemtl leaf\nf 8/1 7/2 6/3 5/4\n"
-      "v -3 0 -3.5\nv 3 0 -3.5\nv 3 3 -3\nv -3 3 -3\nusemtl mirror\nf 9/1 10/2 11/3 12/4\n"
-      "v 2 0.2 -1\nv 3.5 0.2 -1\nv 3.5 2 -1\nv 2 2 -1\nusemtl lamp\nf 13/5 14/2 15/3 16/4\n");
+  const std::filesystem::path obj =
+      folder.write("room.obj",
+                   "mtllib room.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt -0.5 0\n"
+                   "v -4 0 -4\nv 4 0 -4\nv 4 0 4\nv -4 0 4\nusemtl floor\nf 4/1 3/2 2/3 1/4\n"
+                   "v -2 1 -2\nv 1 1.5 -2\nv 1 1.5 2\nv -2 1 2\nusemtl leaf\nf 8/1 7/2 6/3 5/4\n"
+                   "v -3 0 -3.5\nv 3 0 -3.5\nv 3 3 -3\nv -3 3 -3\nusemtl mirror\nf 9/1 10/2 11/3 12/4\n"
+                   "v 2 0.2 -1\nv 3.5 0.2 -1\nv 3.5 2 -1\nv 2 2 -1\nusemtl lamp\nf 13/5 14/2 15/3 16/4\n");
   LoadWatch watch;
   watch.read_texels = pattern_named;
   ThreadPool pool(2);

@@ -82,17 +82,10 @@ Scene with_degenerates(uint32_t seed) {
     const vec3 p = random.in_cube(0, 1), e = 0.2f * random.in_cube(-1, 1), f = 0.2f * random.in_cube(-1, 1);
     const vec3 grid = glm::floor(p * 16.0f) / 16.0f;
     switch (i % 9) {
-      case 0:
-        add_triangle(scene, p, p, p);
-        break;
-      case 1:
-        add_triangle(scene, p, p + e, p + e);
-        break;
-      case 2:
-        add_triangle(scene, grid, grid + vec3(0.125f, 0.25f, 0), grid + vec3(0.25f, 0.5f, 0));
-        break;
-      default:
-        add_triangle(scene, p, p + e, p + f);
+      case 0: add_triangle(scene, p, p, p); break;
+      case 1: add_triangle(scene, p, p + e, p + e); break;
+      case 2: add_triangle(scene, grid, grid + vec3(0.125f, 0.25f, 0), grid + vec3(0.25f, 0.5f, 0)); break;
+      default: add_triangle(scene, p, p + e, p + f);
     }
   }
   return finish(std::move(scene));
@@ -129,8 +122,7 @@ Scene closed_sphere(int segments, int rings) {
   for (int segment = 0; segment < segments; ++segment) {
     scene.triangle_positions.push_back({0, at(1, segment), at(1, segment + 1)});
     for (int ring = 1; ring + 1 < rings; ++ring)
-      add_quad(scene, at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1),
-               at(ring, segment + 1));
+      add_quad(scene, at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1), at(ring, segment + 1));
     scene.triangle_positions.push_back({1, at(rings - 1, segment + 1), at(rings - 1, segment)});
   }
   return finish(std::move(scene));
@@ -162,35 +154,24 @@ std::vector<Ray<float>> assorted_rays(const Scene& scene, uint32_t seed, int cou
   const vec3 extent = box.extent();
   const float size = std::max({extent.x, extent.y, extent.z, std::numeric_limits<float>::min()});
   const auto some_vertex = [&] {
-    return scene.positions.empty()
-               ? vec3(0.5f)
-               : scene.positions[random.below(static_cast<uint32_t>(scene.positions.size()))];
+    return scene.positions.empty() ? vec3(0.5f)
+                                   : scene.positions[random.below(static_cast<uint32_t>(scene.positions.size()))];
   };
   std::vector<Ray<float>> rays;
   for (int i = 0; i < count; ++i) {
     Ray<float> ray;
     switch (i % 4) {
-      case 0:
-        ray.origin = box.lo + extent * random.in_cube(0, 1);
-        break;
-      case 1:
-        ray.origin = box.center() + size * random.in_cube(-3, 3);
-        break;
-      case 2:
-        ray.origin = some_vertex();
-        break;
+      case 0: ray.origin = box.lo + extent * random.in_cube(0, 1); break;
+      case 1: ray.origin = box.center() + size * random.in_cube(-3, 3); break;
+      case 2: ray.origin = some_vertex(); break;
       case 3:
         ray.origin = box.lo + extent * random.in_cube(0, 1);
         ray.origin[static_cast<int>(random.below(3))] = random.below(2) ? box.lo.x : box.hi.y;
         break;
     }
     switch (i / 4 % 5) {
-      case 0:
-        ray.dir = random.direction();
-        break;
-      case 1:
-        ray.dir = random.direction() * random.between(0.1f, 10);
-        break;
+      case 0: ray.dir = random.direction(); break;
+      case 1: ray.dir = random.direction() * random.between(0.1f, 10); break;
       case 2:
         ray.dir = vec3(0);
         ray.dir[static_cast<int>(random.below(3))] = random.below(2) ? 1.0f : -1.0f;
@@ -200,9 +181,7 @@ std::vector<Ray<float>> assorted_rays(const Scene& scene, uint32_t seed, int cou
         ray.dir = random.direction();
         ray.dir[static_cast<int>(random.below(3))] = random.below(2) ? 0.0f : -0.0f;
         break;
-      case 4:
-        ray.dir = (some_vertex() - ray.origin) / size;
-        break;
+      case 4: ray.dir = (some_vertex() - ray.origin) / size; break;
     }
     if (i / 20 % 3 == 1) ray.t_max = size * random.unit();
     if (i / 20 % 3 == 2) ray.t_min = 0.3f * size * random.unit();
@@ -213,9 +192,7 @@ std::vector<Ray<float>> assorted_rays(const Scene& scene, uint32_t seed, int cou
 
 Scene boxed(const vec3& lo, const vec3& hi) {
   Scene scene;
-  const auto corner = [&](int i) {
-    return vec3(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z);
-  };
+  const auto corner = [&](int i) { return vec3(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z); };
   for (int i = 0; i < 8; ++i) add_triangle(scene, corner(i), corner(i ^ 1), corner(i ^ 2));
   scene.bounds = compute_bounds(scene);
   return scene;

@@ -20,8 +20,7 @@ struct Random {
   vec3 in_cube(float lo, float hi) { return {between(lo, hi), between(lo, hi), between(lo, hi)}; }
   vec3 direction() {
     for (;;)
-      if (const vec3 d = in_cube(-1, 1); glm::dot(d, d) > 0.01f && glm::dot(d, d) < 1)
-        return glm::normalize(d);
+      if (const vec3 d = in_cube(-1, 1); glm::dot(d, d) > 0.01f && glm::dot(d, d) < 1) return glm::normalize(d);
   }
 };
 

@@ -1,9 +1,9 @@
 #include "core/base/output_file.h"
 
+#include <atomic>
 #include <csignal>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <atomic>
 #include <thread>
 #include <vector>
 

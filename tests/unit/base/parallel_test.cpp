@@ -1,8 +1,7 @@
 #include "core/base/parallel.h"
 
-#include <gtest/gtest.h>
-
 #include <atomic>
+#include <gtest/gtest.h>
 #include <numeric>
 #include <stdexcept>
 
@@ -23,7 +22,10 @@ TEST(ThreadPool, RunsEveryChunkOnce) {
 
 TEST(ThreadPool, CarriesAnExceptionToTheCallerAndStaysUsable) {
   ThreadPool pool(3);
-  EXPECT_THROW(pool.run(100, [](size_t chunk, int) { if (chunk == 42) throw std::runtime_error("42"); }),
+  EXPECT_THROW(pool.run(100,
+                        [](size_t chunk, int) {
+                          if (chunk == 42) throw std::runtime_error("42");
+                        }),
                std::runtime_error);
   std::atomic<int> sum = 0;
   parallel_for(pool, 10, 3, [&](size_t begin, size_t end) { sum += static_cast<int>(end - begin); });

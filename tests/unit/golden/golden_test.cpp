@@ -1,7 +1,8 @@
+#include "core/golden/golden.h"
+
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/golden/golden.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hybridrt {
@@ -31,9 +32,9 @@ class GoldenLists : public testing::Test {
 };
 
 TEST_F(GoldenLists, AWholeOne) {
-  const GoldenList list = read(
-      R"({"cases":[{"name":"a","scene":"scene:spheres","options":["--frames","5-5"],"fail":0.01,"fail_percent":2,)"
-      R"("hard_fail":0.5,"reason":"why"},{"name":"b","scene":"/x/y.obj","reason":"r"}]})");
+  const GoldenList list =
+      read(R"({"cases":[{"name":"a","scene":"scene:spheres","options":["--frames","5-5"],"fail":0.01,"fail_percent":2,)"
+           R"("hard_fail":0.5,"reason":"why"},{"name":"b","scene":"/x/y.obj","reason":"r"}]})");
   ASSERT_EQ(list.cases.size(), 2u);
   EXPECT_EQ(list.cases[0].options, (std::vector<std::string>{"--frames", "5-5"}));
   EXPECT_EQ(list.cases[0].limits.fail, 0.01);
@@ -75,8 +76,7 @@ TEST_F(GoldenLists, WhatIsWrongIsNamed) {
   expect_refused(R"({"cases":[{"name":7,"scene":"s","reason":"r"}]})", "case 1");
   expect_refused(R"({"cases":[{"name":"a","scene":"s","reason":"r","fail":"x"}]})", "number");
   expect_refused(R"({"cases":[{"name":"a","scene":"s","reason":"r","options":"--size"}]})", "array");
-  expect_refused(R"({"cases":[{"name":"a","scene":"s","reason":"r"},{"name":"a","scene":"t","reason":"r"}]})",
-                 "'a'");
+  expect_refused(R"({"cases":[{"name":"a","scene":"s","reason":"r"},{"name":"a","scene":"t","reason":"r"}]})", "'a'");
   expect_refused(R"({"cases":[{"name":"../a","scene":"s","reason":"r"}]})", "../a");
   expect_refused(R"({"cases":[{"name":"","scene":"s","reason":"r"}]})", "name");
 }

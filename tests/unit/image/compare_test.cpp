@@ -93,9 +93,8 @@ TEST(Compare, NonFiniteInEitherIsAVerdictEvenWhenEqual) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Image broken(8, 8, 3, 0.5f);
     broken.pixel(5, 2)[1] = bad;
-    for (const auto& [image, reference] :
-         {std::pair{broken, Image(8, 8, 3, 0.5f)}, std::pair{Image(8, 8, 3, 0.5f), broken},
-          std::pair{broken, broken}}) {
+    for (const auto& [image, reference] : {std::pair{broken, Image(8, 8, 3, 0.5f)},
+                                           std::pair{Image(8, 8, 3, 0.5f), broken}, std::pair{broken, broken}}) {
       const CompareResult result = compare_images(image, reference, {1e9, 100, 1e9});
       EXPECT_FALSE(result.same);
       EXPECT_NE(result.reason.find("pixel (5, 2), channel 1"), std::string::npos) << result.reason;
@@ -113,8 +112,7 @@ TEST(DifferenceImage, IsAmplifiedClampedAndOpaque) {
   EXPECT_EQ(difference.pixel(0, 0)[0], 0);
   EXPECT_NEAR(difference.pixel(0, 0)[1], 0.2, 1e-5);
   EXPECT_EQ(difference.pixel(1, 0)[0], 1);
-  for (int c = 0; c < 3; ++c)
-    EXPECT_NEAR(difference.pixel(2, 0)[c], 0.3, 1e-5) << "alpha shows in every colour";
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(difference.pixel(2, 0)[c], 0.3, 1e-5) << "alpha shows in every colour";
 }
 
 TEST(DifferenceImage, NaNShowsWhite) {

@@ -36,8 +36,7 @@ TEST(ContactSheet, LaysOutCellsInReadingOrder) {
   ASSERT_EQ(sheet.width_px, 3 * 16 + 4 * 4);
   ASSERT_EQ(sheet.height_px, 2 * 16 + 3 * 4) << "cells are as high as the highest thumbnail";
   ASSERT_EQ(sheet.channels, 3);
-  for (int i = 0; i < 5; ++i)
-    EXPECT_NEAR(sheet.pixel(4 + i % 3 * 20 + 7, 4 + i / 3 * 20 + 3)[2], i + 1, 1e-5) << i;
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(sheet.pixel(4 + i % 3 * 20 + 7, 4 + i / 3 * 20 + 3)[2], i + 1, 1e-5) << i;
   const float background = sheet.pixel(0, 0)[0];
   EXPECT_GT(background, 0);
   EXPECT_LT(background, 0.1f);

@@ -25,8 +25,7 @@ TEST(Srgb, CodesChangeExactlyWhereTheFormulaDoes) {
   for (int code = 1; code < 256; ++code) {
     float x = static_cast<float>(linear_from_srgb((code - 0.5) / 255));
     for (int i = 0; i < 50; ++i) x = std::nextafter(x, 0.0f);
-    for (int i = 0; i < 100; ++i, x = std::nextafter(x, 1.0f))
-      ASSERT_EQ(srgb8_from_linear(x), code_by_formula(x));
+    for (int i = 0; i < 100; ++i, x = std::nextafter(x, 1.0f)) ASSERT_EQ(srgb8_from_linear(x), code_by_formula(x));
   }
 }
 

@@ -33,8 +33,8 @@ TEST(CameraJson, NumbersAreInTheAxesOfTheFiles) {
 
 TEST(CameraJson, ReadsAnOrbit) {
   Warnings warnings;
-  const auto orbit = std::get<Orbit>(read_camera_text(
-      R"({"orbit":{"target":[1,2,3],"radius":4,"height":-1,"from_deg":90,"to_deg":-90}})", warnings));
+  const auto orbit = std::get<Orbit>(
+      read_camera_text(R"({"orbit":{"target":[1,2,3],"radius":4,"height":-1,"from_deg":90,"to_deg":-90}})", warnings));
   EXPECT_EQ(orbit.target_world, dvec3(1, 2, 3));
   EXPECT_DOUBLE_EQ(orbit.from_rad, kPi / 2);
   EXPECT_DOUBLE_EQ(orbit.to_rad, -kPi / 2);
@@ -48,9 +48,8 @@ TEST(CameraJson, ReadsAnOrbit) {
 
 TEST(CameraJson, UpAlongTheViewIsOneWarning) {
   Warnings warnings;
-  read_camera_text(
-      "{\"keyframes\":[" + key(1, "[0,5,0]") + "," + key(2, "[0,-5,0]") + "," + key(3, "[0,0,5]") + "]}",
-      warnings);
+  read_camera_text("{\"keyframes\":[" + key(1, "[0,5,0]") + "," + key(2, "[0,-5,0]") + "," + key(3, "[0,0,5]") + "]}",
+                   warnings);
   EXPECT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(warned(warnings, "2 keys look along their up direction (first: frame 1)"));
 }
@@ -61,8 +60,7 @@ TEST(CameraJson, RefusesWhatItCannotMean) {
   EXPECT_TRUE(contains(keys(key(1, "[0,0,0]")), "keyframes[0]: eye and target are the same point"));
   EXPECT_TRUE(contains(keys(key(1, "[0,0,1]", ",\"fov_y_deg\":0")), "keyframes[0].fov_y_deg: 0: allowed"));
   EXPECT_TRUE(contains(keys(key(1, "[0,0,1]", ",\"fov_y_deg\":180")), "fov_y_deg: 180"));
-  EXPECT_TRUE(
-      contains(keys(key(5, "[0,0,1]") + "," + key(5, "[0,1,1]")), "keyframes[1]: frame 5 is there twice"));
+  EXPECT_TRUE(contains(keys(key(5, "[0,0,1]") + "," + key(5, "[0,1,1]")), "keyframes[1]: frame 5 is there twice"));
   EXPECT_TRUE(contains(keys(key(5, "[0,0,1]") + "," + key(4, "[0,1,1]")), "frame 4 comes after frame 5"));
   EXPECT_TRUE(contains(keys(key(1, "[0,0,1]", ",\"fow\":3")), "unknown key 'fow'"));
   EXPECT_TRUE(contains(keys(key(1, "[0,0,\"a\"]")), "keyframes[0].eye[2]: must be a number"));
@@ -73,8 +71,7 @@ TEST(CameraJson, RefusesWhatItCannotMean) {
   EXPECT_TRUE(contains(keys("3"), "keyframes[0]: must be an object"));
   EXPECT_TRUE(contains(camera_error("{}"), "give either 'keyframes' or 'orbit'"));
   EXPECT_TRUE(contains(camera_error("[]"), "must be an object"));
-  EXPECT_TRUE(
-      contains(camera_error(R"({"orbit":{"target":[0,0,0],"radius":0}})"), "radius: must be more than 0"));
+  EXPECT_TRUE(contains(camera_error(R"({"orbit":{"target":[0,0,0],"radius":0}})"), "radius: must be more than 0"));
 }
 
 TEST(CameraJson, SaysWhereTheTextIsNotJson) {

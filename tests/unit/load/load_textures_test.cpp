@@ -5,8 +5,8 @@
 #include <atomic>
 
 #include "core/load/scene_source.h"
-#include "tests/support/obj_test.h"
 #include "shaders/shared.h"
+#include "tests/support/obj_test.h"
 #include "tests/support/textured_scenes.h"
 
 namespace hybridrt {
@@ -42,8 +42,8 @@ struct LoadTextures : testing::Test {
 };
 
 TEST_F(LoadTextures, KeepsTextureCoordinatesOfCorners) {
-  const Scene scene = load("newmtl a\nmap_Kd noise.png\nnewmtl b\n",
-                           "usemtl a\nf 1/1 2/2 4/3 3/-2\nusemtl b\nf 1 2 3\n");
+  const Scene scene =
+      load("newmtl a\nmap_Kd noise.png\nnewmtl b\n", "usemtl a\nf 1/1 2/2 4/3 3/-2\nusemtl b\nf 1 2 3\n");
   ASSERT_TRUE(scene.textures);
   const Textures& t = *scene.textures;
   ASSERT_EQ(t.triangle_texcoords.size(), 3u);
@@ -69,9 +69,9 @@ TEST_F(LoadTextures, NothingIsKeptWithoutMaps) {
 }
 
 TEST_F(LoadTextures, AFileIsReadOnce) {
-  const Scene scene = load(
-      "newmtl a\nmap_Kd noise.png\nmap_Ks noise.png\nmap_Ke -s 2 noise.png\nnewmtl b\nmap_Kd -o 1 noise.png\n",
-      "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n");
+  const Scene scene =
+      load("newmtl a\nmap_Kd noise.png\nmap_Ks noise.png\nmap_Ke -s 2 noise.png\nnewmtl b\nmap_Kd -o 1 noise.png\n",
+           "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(reads, 1);
   const auto first = [&](uint32_t r) { return scene.textures->words[r + HRT_TEXTURE_FIRST]; };
   EXPECT_EQ(first(record(scene, 0, HRT_MAP_DIFFUSE)), first(record(scene, 1, HRT_MAP_DIFFUSE)));
@@ -79,8 +79,9 @@ TEST_F(LoadTextures, AFileIsReadOnce) {
 }
 
 TEST_F(LoadTextures, WhatCannotBeReadIsACheckerOrLeftOut) {
-  const Scene scene = load("newmtl a\nmap_Kd torn.png\nmap_Ks torn.png\nKd .2 .3 .4\nnewmtl b\nmap_Ks gone.png\nmap_Kd gone.png\n",
-                           "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n");
+  const Scene scene =
+      load("newmtl a\nmap_Kd torn.png\nmap_Ks torn.png\nKd .2 .3 .4\nnewmtl b\nmap_Ks gone.png\nmap_Kd gone.png\n",
+           "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n");
   for (const uint32_t triangle : {0u, 1u}) {
     const uint32_t diffuse = record(scene, triangle, HRT_MAP_DIFFUSE);
     ASSERT_NE(diffuse, 0u);

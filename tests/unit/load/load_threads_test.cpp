@@ -13,8 +13,7 @@ namespace {
 std::string field(int side) {
   std::string text = "mtllib none.mtl\n";
   for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
-      text += fmt::format("v {} {:.6f} {}\n", x, std::sin(0.3 * x) * std::cos(0.7 * y), y);
+    for (int x = 0; x < side; ++x) text += fmt::format("v {} {:.6f} {}\n", x, std::sin(0.3 * x) * std::cos(0.7 * y), y);
   for (int y = 0; y + 1 < side; ++y) {
     text += fmt::format("usemtl row{}\n", y % 3);
     for (int x = 1; x < side; ++x) {

@@ -42,8 +42,9 @@ TEST(LoadingBytes, FollowTheCountsOfTheHeader) {
 
 TEST(LoadingBytes, BelieveNoPromiseThatTheFileHasNoRoomFor) {
   const TemporaryFolder folder;
-  EXPECT_EQ(loading_bytes(folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\n"
-                                                "property float x\nend_header\n1\n")),
+  EXPECT_EQ(loading_bytes(folder.write("a.ply",
+                                       "ply\nformat ascii 1.0\nelement vertex 4000000000\n"
+                                       "property float x\nend_header\n1\n")),
             0u);
   EXPECT_LT(loading_bytes(folder.write("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n")), 10'000u);
   EXPECT_EQ(loading_bytes(folder.path / "none.obj"), 0u);

@@ -41,8 +41,8 @@ string bytes(T value, bool big = false) {
 }
 
 string ply_head(const string& format, const string& vertex, const string& face, int vertices, int faces) {
-  return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(vertices) +
-         "\n" + vertex + "element face " + std::to_string(faces) + "\n" + face + "end_header\n";
+  return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(vertices) + "\n" + vertex +
+         "element face " + std::to_string(faces) + "\n" + face + "end_header\n";
 }
 const string kXyz = "property float x\nproperty float y\nproperty float z\n";
 const string kList = "property list uchar int vertex_indices\n";
@@ -68,17 +68,14 @@ TEST(Ply, ReadsEveryNumberTypeInBothByteOrders) {
     const string format = big ? "binary_big_endian" : "binary_little_endian";
     const auto file = [&](const char* xyz, const char* list, const auto& coordinate, const auto& count,
                           const auto& index) {
-      string text =
-          ply_head(format, string("property ") + xyz + " x\nproperty " + xyz + " y\nproperty " + xyz + " z\n",
-                   string("property list ") + list + " vertex_index\n", 3, 1);
+      string text = ply_head(format, string("property ") + xyz + " x\nproperty " + xyz + " y\nproperty " + xyz + " z\n",
+                             string("property list ") + list + " vertex_index\n", 3, 1);
       for (int value : {0, 0, 0, 5, 0, 0, 0, 7, 0}) text += coordinate(value);
       text += count(3);
       for (int value : {0, 1, 2}) text += index(value);
       return text;
     };
-    const auto as = [&]<typename T>(T) {
-      return [big](int value) { return bytes(static_cast<T>(value), big); };
-    };
+    const auto as = [&]<typename T>(T) { return [big](int value) { return bytes(static_cast<T>(value), big); }; };
     for (const string& text : {file("float", "uchar int", as(0.f), as(uint8_t()), as(int32_t())),
                                file("double", "char uint", as(0.0), as(int8_t()), as(uint32_t())),
                                file("short", "ushort ushort", as(int16_t()), as(uint16_t()), as(uint16_t())),
@@ -102,16 +99,14 @@ TEST(Ply, KeepsPrecisionFarFromTheOrigin) {
 }
 
 TEST(Ply, SkipsWhatItDoesNotKnowAndTakesNormals) {
-  const string head =
-      "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 3\n" + kXyz +
-      "property float nx\nproperty float ny\nproperty float nz\nproperty list uchar int tags\n"
-      "property uchar red\nelement thing 2\nproperty list uchar float f\nelement face 1\n"
-      "property uchar flag\n" +
-      kList + "property float quality\nend_header\n";
-  const Loaded loaded =
-      load("a.ply", head +
-                        "0 0 0 0 0 -2 2 7 7 255\n1 0 0 0 nan 1 0 255\n0 1 0 0 0 -1 1 9 255\n"
-                        "1 0.5\n0\n9 3 0 1 2 0.25\n");
+  const string head = "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 3\n" + kXyz +
+                      "property float nx\nproperty float ny\nproperty float nz\nproperty list uchar int tags\n"
+                      "property uchar red\nelement thing 2\nproperty list uchar float f\nelement face 1\n"
+                      "property uchar flag\n" +
+                      kList + "property float quality\nend_header\n";
+  const Loaded loaded = load("a.ply", head +
+                                          "0 0 0 0 0 -2 2 7 7 255\n1 0 0 0 nan 1 0 255\n0 1 0 0 0 -1 1 9 255\n"
+                                          "1 0.5\n0\n9 3 0 1 2 0.25\n");
   EXPECT_TRUE(warned(loaded.warnings, "vertex colours are ignored"));
   EXPECT_TRUE(warned(loaded.warnings, "1 corners had a zero or unreadable normal"));
   const Scene& scene = loaded.scene;
@@ -120,8 +115,8 @@ TEST(Ply, SkipsWhatItDoesNotKnowAndTakesNormals) {
 }
 
 TEST(Ply, LosesNoFaceOfANonManifoldEdge) {
-  const Loaded loaded = load("a.ply", text_ply("0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n",
-                                               "3 0 1 2\n3 1 0 3\n3 0 1 4\n3 0 1 2\n", 5, 4));
+  const Loaded loaded =
+      load("a.ply", text_ply("0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n", "3 0 1 2\n3 1 0 3\n3 0 1 4\n3 0 1 2\n", 5, 4));
   EXPECT_EQ(loaded.scene.triangle_count(), 4u);
   EXPECT_EQ(loaded.scene.positions.size(), 5u);
 }
@@ -135,8 +130,7 @@ TEST(Ply, NeedlesWhoseShortEdgeIsLostInRoundingHaveANormal) {
 TEST(Ply, DegenerateFacesAreCountedAndLeftOut) {
   const Loaded loaded = load("a.ply", text_ply(kFour, "3 0 1 2\n2 0 1\n3 0 0 1\n0\n", 4, 4));
   EXPECT_EQ(loaded.scene.triangle_count(), 1u);
-  EXPECT_TRUE(
-      warned(loaded.warnings, "2 faces of fewer than three corners were left out (first at line 15)"));
+  EXPECT_TRUE(warned(loaded.warnings, "2 faces of fewer than three corners were left out (first at line 15)"));
   EXPECT_TRUE(warned(loaded.warnings, "1 triangles that repeat a vertex were left out (first at line 16)"));
 }
 
@@ -160,10 +154,8 @@ TEST(Ply, RefusesWhatIsWrong) {
   EXPECT_TRUE(contains(failure("a.ply", ""), "does not begin with 'ply'"));
   EXPECT_TRUE(contains(failure("a.ply", "v 0 0 0\nf 1 1 1\n"), "does not begin with 'ply'"));
   EXPECT_TRUE(contains(failure("a.ply", "ply\nformat ascii 1.0\n"), "header has no end"));
-  EXPECT_TRUE(
-      contains(failure("a.ply", "ply\nformat utf7 1.0\nend_header\n"), "a.ply:2: 'utf7' is no PLY format"));
-  EXPECT_TRUE(
-      contains(failure("a.ply", "ply\nformat ascii 1.0\nelement vertex x\nend_header\n"), "a.ply:3: 'x'"));
+  EXPECT_TRUE(contains(failure("a.ply", "ply\nformat utf7 1.0\nend_header\n"), "a.ply:2: 'utf7' is no PLY format"));
+  EXPECT_TRUE(contains(failure("a.ply", "ply\nformat ascii 1.0\nelement vertex x\nend_header\n"), "a.ply:3: 'x'"));
   ThreadPool pool(1);
   Warnings warnings;
   for (const std::filesystem::path path : {"/nonexistent/a.ply", "/nonexistent/a.off", "/nonexistent/a.stl"})
@@ -191,10 +183,9 @@ TEST(Off, ReadsKindsCommentsAndColours) {
     EXPECT_TRUE(loaded.warnings.empty());
     EXPECT_EQ(loaded.scene.triangle_count(), 2u);
   }
-  const Loaded colored =
-      load("a.off",
-           "CNOFF\n3 1 0\n0 0 0 0 0 -3 1 1 1 1\n1 0 0 0 0 -1 1 1 1 1\n0 1 0 0 0 -1 1 1 1 1\n"
-           "3 0 1 2 255 0 0 # red\n");
+  const Loaded colored = load("a.off",
+                              "CNOFF\n3 1 0\n0 0 0 0 0 -3 1 1 1 1\n1 0 0 0 0 -1 1 1 1 1\n0 1 0 0 0 -1 1 1 1 1\n"
+                              "3 0 1 2 255 0 0 # red\n");
   EXPECT_TRUE(warned(colored.warnings, "4 vertices and faces have colours, which are ignored"));
   EXPECT_EQ(colored.scene.normals[colored.scene.triangle_normals[0].x], vec3(0, 0, -1));
 }
@@ -207,12 +198,9 @@ TEST(Off, RefusesWhatIsWrong) {
   EXPECT_TRUE(contains(failure("a.off", "OFF\n4000000000 1 0\n"), "is no count"));
   EXPECT_TRUE(contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n"), "it ends before the last vertex"));
   EXPECT_TRUE(contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n"), "a.off:4: 'nan'"));
-  EXPECT_TRUE(
-      contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 1e30 0\n0 1 0\n3 0 1 2\n"), "its y coordinate"));
-  EXPECT_TRUE(contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
-                       "a.off:6: 3 is not the index"));
-  EXPECT_TRUE(
-      contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), "a.off:6: a number is missing"));
+  EXPECT_TRUE(contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 1e30 0\n0 1 0\n3 0 1 2\n"), "its y coordinate"));
+  EXPECT_TRUE(contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "a.off:6: 3 is not the index"));
+  EXPECT_TRUE(contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), "a.off:6: a number is missing"));
   EXPECT_TRUE(contains(failure("a.off", string("OFF\0\n", 5)), "NUL"));
 }
 
@@ -229,8 +217,7 @@ string binary_stl(uint32_t promised, int facets) {
 }
 
 TEST(Stl, ReadsTextAndBinary) {
-  const Loaded text =
-      load("a.stl", "solid my vertex\n" + kFacet + "endsolid\nsolid b\n" + kFacet + "endsolid b\n");
+  const Loaded text = load("a.stl", "solid my vertex\n" + kFacet + "endsolid\nsolid b\n" + kFacet + "endsolid b\n");
   const Loaded binary = load("a.STL", binary_stl(2, 2));
   for (const Loaded* loaded : {&text, &binary}) {
     EXPECT_TRUE(loaded->warnings.empty());
@@ -246,8 +233,7 @@ TEST(Stl, ReadsTextAndBinary) {
 TEST(Stl, RefusesWhatIsWrongAndSaysWhatItLeftOut) {
   EXPECT_TRUE(contains(failure("a.stl", ""), "is empty"));
   EXPECT_TRUE(contains(failure("a.stl", "solid a\nendsolid\n"), "has no faces"));
-  EXPECT_TRUE(
-      contains(failure("a.stl", binary_stl(3, 2)), "a binary STL of 3 facets, but there is room for 2"));
+  EXPECT_TRUE(contains(failure("a.stl", binary_stl(3, 2)), "a binary STL of 3 facets, but there is room for 2"));
   EXPECT_TRUE(contains(failure("a.stl", binary_stl(4000000000u, 1)), "room for 1"));
   EXPECT_TRUE(contains(failure("a.stl", "random bytes"), "neither text nor whole"));
   EXPECT_TRUE(contains(failure("a.stl", "solid a\nfacet normal 0 0 1\nvertex 0 0 q\n"), "a.stl:3: 'q'"));
@@ -266,12 +252,10 @@ TEST(Meshes, SeveralFilesBecomeOneScene) {
   const TemporaryFolder folder;
   folder.write("a.mtl", "newmtl red\nKd 1 0 0\n");
   const std::filesystem::path paths[] = {
-      folder.write(
-          "a.obj",
-          "mtllib a.mtl\nv 1e7 0 0\nv 10000001 0 0\nv 1e7 1 0\nvn 0 0 -1\nusemtl red\nf 1//1 2//1 3//1\n"),
+      folder.write("a.obj",
+                   "mtllib a.mtl\nv 1e7 0 0\nv 10000001 0 0\nv 1e7 1 0\nvn 0 0 -1\nusemtl red\nf 1//1 2//1 3//1\n"),
       folder.write("b.ply", text_ply("10000002 0 0\n10000003 0 0\n10000002 1 0\n", "3 0 1 2\n", 3, 1)),
-      folder.write("c.obj",
-                   "mtllib a.mtl\nv 10000004 0 0\nv 10000005 0 0\nv 10000004 1 0\nusemtl red\nf 1 2 3\n")};
+      folder.write("c.obj", "mtllib a.mtl\nv 10000004 0 0\nv 10000005 0 0\nv 10000004 1 0\nusemtl red\nf 1 2 3\n")};
   ThreadPool pool(3);
   Warnings warnings;
   const Scene scene = load_meshes(paths, UpAxis::y, pool, warnings);

@@ -1,4 +1,5 @@
 #include "core/load/mtl_io.h"
+
 #include "core/load/texture_name.h"
 #include "tests/support/obj_test.h"
 
@@ -61,21 +62,19 @@ TEST(Mtl, DissolveWinsOverTransparency) {
 
 TEST(Mtl, ClampsAndWarns) {
   Warnings warnings;
-  const auto m = read_text(
-      "newmtl a\nNi 0\nKd -1 2 .5\nNs 1e9\nillum 11\nnewmtl b\nillum 4\nNi -1\nillum 2.5\n", warnings);
+  const auto m =
+      read_text("newmtl a\nNi 0\nKd -1 2 .5\nNs 1e9\nillum 11\nnewmtl b\nillum 4\nNi -1\nillum 2.5\n", warnings);
   EXPECT_EQ(m.at(0).ni, 1);
   EXPECT_EQ(m.at(0).kd, vec3(0, 2, .5f));
   EXPECT_EQ(m.at(0).ns, 1e4f);
   EXPECT_EQ(m.at(1).illum, 2);
-  EXPECT_TRUE(
-      warned(warnings, "2 indices of refraction (Ni) are not above 0 and were set to 1 (first at line 2)"));
-  EXPECT_TRUE(
-      warned(warnings, "2 illumination models (illum) are not 0 to 10 and were set to 2 (first at line 5)"));
+  EXPECT_TRUE(warned(warnings, "2 indices of refraction (Ni) are not above 0 and were set to 1 (first at line 2)"));
+  EXPECT_TRUE(warned(warnings, "2 illumination models (illum) are not 0 to 10 and were set to 2 (first at line 5)"));
 }
 
 TEST(Mtl, NumbersThatAreNoneAreErrors) {
-  for (const string bad : {"Kd nan 0 0", "Kd 0 0 inf", "Ns nan", "Ni NaN", "d nan", "Tr -nan", "illum x",
-                           "Ks 1e39", "Ke", "Tf 1 2", "Kd 1,5 0 0"}) {
+  for (const string bad : {"Kd nan 0 0", "Kd 0 0 inf", "Ns nan", "Ni NaN", "d nan", "Tr -nan", "illum x", "Ks 1e39",
+                           "Ke", "Tf 1 2", "Kd 1,5 0 0"}) {
     Warnings warnings;
     try {
       read_text("newmtl m\n" + bad + "\n", warnings);
@@ -100,7 +99,8 @@ TEST(Mtl, CountsTexturesAndForeignColours) {
 TEST(Mtl, TextureNamesArePickedOutOfTheirOptions) {
   EXPECT_EQ(read_texture_statement(" a.png").name, "a.png");
   EXPECT_EQ(read_texture_statement(" -o 1 2 my wood.png ").name, "my wood.png");
-  EXPECT_EQ(read_texture_statement("-s 1 1 1 -mm 0 1 -bm 0.3 -clamp on -imfchan r -type sphere a b.png").name, "a b.png");
+  EXPECT_EQ(read_texture_statement("-s 1 1 1 -mm 0 1 -bm 0.3 -clamp on -imfchan r -type sphere a b.png").name,
+            "a b.png");
   EXPECT_EQ(read_texture_statement("-o 0.5 3.png").name, "3.png") << "fewer numbers than three";
   EXPECT_EQ(read_texture_statement("a-b -c.png -texres 64").name, "a-b -c.png") << "an option behind the name";
   EXPECT_EQ(read_texture_statement("-o -1 -2 -3 x.png").name, "x.png");
@@ -131,9 +131,10 @@ TEST(Mtl, KeepsTheLastMapOfAKind) {
   folder.write("b.png", "x");
   Warnings warnings;
   std::vector<Material> materials;
-  read_mtl(folder.write("test.mtl", "newmtl m\nKs .5\nmap_Kd a.png\nmap_Ks b.png\nbump a.png\nmap_d gone.png\n"
-                                    "map_Kd -s 2 b.png\nnewmtl n\nKd 0\nmap_Kd a.png\nnewmtl o\nKd 0 0 1\n"
-                                    "map_Kd a.png\nmap_Ke b.png\n"),
+  read_mtl(folder.write("test.mtl",
+                        "newmtl m\nKs .5\nmap_Kd a.png\nmap_Ks b.png\nbump a.png\nmap_d gone.png\n"
+                        "map_Kd -s 2 b.png\nnewmtl n\nKd 0\nmap_Kd a.png\nnewmtl o\nKd 0 0 1\n"
+                        "map_Kd a.png\nmap_Ke b.png\n"),
            materials, warnings);
   ASSERT_EQ(materials.at(0).maps.size(), 3u);
   const std::vector<TextureMap>& maps = materials[0].maps;
@@ -186,11 +187,11 @@ TEST(Mtl, EveryIlluminationModelIsOneRowOfTheTable) {
     bool highlight, mirror, glass;
     Fresnel fresnel;
   };
-  const Row rows[] = {{false, false, false, Fresnel::none},      {false, false, false, Fresnel::none},
-                      {true, false, false, Fresnel::none},       {true, true, false, Fresnel::none},
-                      {true, true, true, Fresnel::dielectric},   {true, true, false, Fresnel::schlick},
-                      {true, true, true, Fresnel::dielectric},   {true, true, true, Fresnel::dielectric},
-                      {true, true, false, Fresnel::none},        {true, true, true, Fresnel::dielectric},
+  const Row rows[] = {{false, false, false, Fresnel::none},    {false, false, false, Fresnel::none},
+                      {true, false, false, Fresnel::none},     {true, true, false, Fresnel::none},
+                      {true, true, true, Fresnel::dielectric}, {true, true, false, Fresnel::schlick},
+                      {true, true, true, Fresnel::dielectric}, {true, true, true, Fresnel::dielectric},
+                      {true, true, false, Fresnel::none},      {true, true, true, Fresnel::dielectric},
                       {true, false, false, Fresnel::none}};
   for (int illum = 0; illum <= 10; ++illum) {
     const Material m = read_one("Ks 0.5\nNi 1.5\nillum " + std::to_string(illum) + "\n");
@@ -208,9 +209,7 @@ struct ObjWithLibraries : testing::Test {
   ThreadPool pool{2};
   Warnings warnings;
 
-  Scene load(const string& obj) {
-    return load_obj(folder.write("test.obj", kTriangle + obj), pool, warnings);
-  }
+  Scene load(const string& obj) { return load_obj(folder.write("test.obj", kTriangle + obj), pool, warnings); }
 };
 
 TEST_F(ObjWithLibraries, ReadsThemAll) {

@@ -26,8 +26,7 @@ TEST(ObjFaults, RandomBytesEndInAnError) {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {
     string bytes(1 + random() % 5000, ' ');
-    for (char& byte : bytes)
-      byte = static_cast<char>(round % 2 ? random() : "vf 123/-.\n\\en#"[random() % 14]);
+    for (char& byte : bytes) byte = static_cast<char>(round % 2 ? random() : "vf 123/-.\n\\en#"[random() % 14]);
     if (round % 2 == 0) bytes += "\nf 0 0 0\n";  // the alphabet of OBJ could be right by chance
     EXPECT_NE(error_of(bytes), "");
   }
@@ -60,25 +59,22 @@ TEST(ObjFaults, FilesCutShort) {
   const string whole = kTriangle + "v 1 1 0\nf 1 2 3\nf 2 4 3";
   EXPECT_EQ(load_text(whole).scene.triangle_count(), 2u);
   for (size_t cut = 1; cut <= 4; ++cut)
-    EXPECT_TRUE(
-        contains(error_of(whole.substr(0, whole.size() - cut)), "test.obj:6: the file ends in the middle"));
-  EXPECT_EQ(load_text(whole.substr(0, whole.size() - 7)).scene.triangle_count(), 1u)
-      << "nothing to be seen of it";
+    EXPECT_TRUE(contains(error_of(whole.substr(0, whole.size() - cut)), "test.obj:6: the file ends in the middle"));
+  EXPECT_EQ(load_text(whole.substr(0, whole.size() - 7)).scene.triangle_count(), 1u) << "nothing to be seen of it";
 }
 
 TEST(ObjFaults, PositionIndicesOutOfRange) {
-  for (const string bad :
-       {"0", "-4", "4294967297", "2147483648", "-2147483649", "99999999999999999999", "0/1/1"})
-    EXPECT_TRUE(contains(error_of(kTriangle + "f 1 2 " + bad + "\n"),
-                         "test.obj:4: face 1, corner 3: there is no vertex"))
+  for (const string bad : {"0", "-4", "4294967297", "2147483648", "-2147483649", "99999999999999999999", "0/1/1"})
+    EXPECT_TRUE(
+        contains(error_of(kTriangle + "f 1 2 " + bad + "\n"), "test.obj:4: face 1, corner 3: there is no vertex"))
         << bad;
   EXPECT_TRUE(contains(error_of(kTriangle + "f 1 2 3\nf 1 2 4\n"), "test.obj:5: a face uses vertex 4"));
   EXPECT_TRUE(contains(error_of(kTriangle + "f 1 2 4 3\n"), "test.obj:4: a face uses vertex 4"));
 }
 
 TEST(ObjFaults, CornersWithoutAVertex) {
-  EXPECT_TRUE(contains(error_of(kTriangle + "f /1/1 2 3\n"),
-                       "test.obj:4: face 1, corner 1: '/1/1' has no vertex index"));
+  EXPECT_TRUE(
+      contains(error_of(kTriangle + "f /1/1 2 3\n"), "test.obj:4: face 1, corner 1: '/1/1' has no vertex index"));
   for (const string bad : {"a", "1a", "1/2/3/4", "1.5", "1/x", "1//x", "-", "1\\2"})
     EXPECT_TRUE(contains(error_of(kTriangle + "f 1 2 " + bad + "\n"), "test.obj:4: face 1, corner 3")) << bad;
 }
@@ -118,14 +114,11 @@ TEST(ObjFaults, ABadVertexNormalShiftsNoOther) {
 }
 
 TEST(ObjFaults, DegenerateFacesAreLeftOutAndCounted) {
-  const Loaded loaded =
-      load_text(kTriangle + "v 2 0 0\nv 1 0 0\nf\nf 1\nf 1 2\nf 1 2 3\nf 1 1 2\nf 1 2 4\nf 1 2 5\n");
+  const Loaded loaded = load_text(kTriangle + "v 2 0 0\nv 1 0 0\nf\nf 1\nf 1 2\nf 1 2 3\nf 1 1 2\nf 1 2 4\nf 1 2 5\n");
   ASSERT_EQ(loaded.scene.triangle_count(), 1u);
   EXPECT_EQ(loaded.scene.triangle_positions[0], uvec3(0, 1, 2));
-  EXPECT_TRUE(warned(loaded.warnings,
-                     "test.obj: 3 faces of fewer than three corners were left out (first at line 6)"));
-  EXPECT_TRUE(
-      warned(loaded.warnings, "test.obj: 1 triangles that repeat a vertex were left out (first at line 10)"));
+  EXPECT_TRUE(warned(loaded.warnings, "test.obj: 3 faces of fewer than three corners were left out (first at line 6)"));
+  EXPECT_TRUE(warned(loaded.warnings, "test.obj: 1 triangles that repeat a vertex were left out (first at line 10)"));
   EXPECT_TRUE(warned(loaded.warnings, "test.obj: 2 triangles of zero area were left out (first at line 11)"));
 }
 

@@ -19,8 +19,7 @@ void expect_same(const Scene& a, const Scene& b) {
 }
 
 string replaced(string text, const string& from, const string& to) {
-  for (size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
-    text.replace(at, from.size(), to);
+  for (size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size()) text.replace(at, from.size(), to);
   return text;
 }
 
@@ -80,8 +79,7 @@ TEST(ObjText, NegativeAndForwardIndicesMeanTheSame) {
 TEST(ObjText, PolygonsMayComeBeforeTheirVertices) {
   const string face = "f 1 2 3 4 5 6\n", other = "f 1 2 3\n";
   const string vertices = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 1 4 0\nv 0 4 0\n";
-  const Scene after = load_text(vertices + face + other).scene,
-              before = load_text(face + other + vertices).scene;
+  const Scene after = load_text(vertices + face + other).scene, before = load_text(face + other + vertices).scene;
   EXPECT_EQ(after.triangle_count(), 5u);
   expect_same(before, after);
 }
@@ -111,8 +109,7 @@ TEST(ObjText, TheLocaleDoesNotMatter) {
 }
 
 TEST(ObjText, NumbersHaveManyForms) {
-  const Scene scene =
-      load_text("v .5 -.5 +.5\nv 5. 1e2 -1E-2\nv 0.1 1e-400 00012\nv 1e29 0 0\nf 1 2 3\n").scene;
+  const Scene scene = load_text("v .5 -.5 +.5\nv 5. 1e2 -1E-2\nv 0.1 1e-400 00012\nv 1e29 0 0\nf 1 2 3\n").scene;
   EXPECT_EQ(scene.positions[0], vec3(0.5f, -0.5f, 0.5f));
   EXPECT_EQ(scene.positions[1], vec3(5, 100, -0.01f));
   EXPECT_EQ(scene.positions[2], vec3(0.1f, 0, 12));
@@ -137,8 +134,7 @@ TEST(ObjText, ALongFaceLinePasses) {
   string text = fmt::format("v {} -1000 0\nv 0 -1000 0\n", corners);
   for (int i = 2; i < corners; ++i) text += fmt::format("v {} {} 0\n", i, i % 2);  // a comb
   text += "f";
-  for (int i = 1; i <= corners; ++i)
-    text += fmt::format(" {}", i == 1 ? 1 : corners + 2 - i);  // counter-clockwise
+  for (int i = 1; i <= corners; ++i) text += fmt::format(" {}", i == 1 ? 1 : corners + 2 - i);  // counter-clockwise
   const Loaded loaded = load_text(text);
   EXPECT_EQ(loaded.scene.triangle_count(), corners - 2u);
   EXPECT_TRUE(loaded.warnings.empty());

@@ -54,8 +54,7 @@ TEST(ObjWriter, SameSceneSameBytes) {
 }
 
 TEST(ObjWriter, AFarSceneReadsBackInItsPlace) {
-  Scene scene =
-      load_text("v 85000.25 447500.5 3\nv 85010.125 447500 3\nv 85000 447511.0625 4\nf 1 2 3\n").scene;
+  Scene scene = load_text("v 85000.25 447500.5 3\nv 85010.125 447500 3\nv 85000 447511.0625 4\nf 1 2 3\n").scene;
   ASSERT_NE(scene.origin_world, dvec3(0));
   const TemporaryFolder folder;
   write_obj(scene, folder.path / "far.obj");

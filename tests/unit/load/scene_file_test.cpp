@@ -74,8 +74,8 @@ TEST_F(SceneFile, AnEmptyListMeansNoLight) {
 
 TEST_F(SceneFile, HasACameraOrAPathOrTheNameOfOne) {
   const auto course = [&](const string& text) {
-    return *read_scene_file_camera(folder.write("s.json", R"({"meshes":["a.obj"],)" + text + "}"),
-                                   {UpAxis::z, 0.5}, warnings);
+    return *read_scene_file_camera(folder.write("s.json", R"({"meshes":["a.obj"],)" + text + "}"), {UpAxis::z, 0.5},
+                                   warnings);
   };
   const auto still = std::get<Camera>(course(R"("camera":{"eye":[1,2,3],"target":[0,0,0],"up":[0,0,1]})"));
   EXPECT_EQ(still.eye_world, dvec3(1, 3, -2)) << "in the axes of the files";
@@ -99,21 +99,20 @@ TEST_F(SceneFile, RefusesWhatItDoesNotKnow) {
     EXPECT_TRUE(contains(failure_of("\"lights\":[{\"type\":\"" + type + "\",\"position\":[0,1,0]}]"),
                          "lights[0].type: type '" + type + "' is not supported yet; directional lights are"));
   EXPECT_TRUE(contains(failure_of(R"("lights":[{"type":"laser"}])"), "'laser' is not known"));
-  EXPECT_TRUE(
-      contains(failure_of(R"("lights":[{"type":"directional","toward":[0,0,0]}])"), "must not be zero"));
+  EXPECT_TRUE(contains(failure_of(R"("lights":[{"type":"directional","toward":[0,0,0]}])"), "must not be zero"));
   EXPECT_TRUE(contains(failure_of(R"("lights":[{"type":"directional","toward":[1,0,0],"size":1}])"),
                        "lights[0]: unknown key 'size'"));
   const string light = R"({"type":"directional","toward":[1,0,0]})";
   string lights = light;
   for (int i = 1; i < 8; ++i) lights += "," + light;
   EXPECT_EQ(read(R"({"meshes":["a.obj"],"lights":[)" + lights + "]}").lights->size(), 8u);
-  EXPECT_TRUE(contains(failure_of("\"lights\":[" + lights + "," + light + "]"),
-                       "lights: there are 9 lights; at most 8"));
+  EXPECT_TRUE(
+      contains(failure_of("\"lights\":[" + lights + "," + light + "]"), "lights: there are 9 lights; at most 8"));
   EXPECT_TRUE(contains(failure_of(R"("settings":{"size":{}})"), "settings.size: must be"));
-  EXPECT_TRUE(contains(failure_of(R"("camera":{"eye":[0,0,1],"target":[0,0,0],"fov":3})"),
-                       "camera: unknown key 'fov'"));
-  EXPECT_TRUE(contains(failure_of(R"("camera":{"eye":[0,0,1],"target":[0,0,0]},"camera_path":"x.json")"),
-                       "give either"));
+  EXPECT_TRUE(
+      contains(failure_of(R"("camera":{"eye":[0,0,1],"target":[0,0,0],"fov":3})"), "camera: unknown key 'fov'"));
+  EXPECT_TRUE(
+      contains(failure_of(R"("camera":{"eye":[0,0,1],"target":[0,0,0]},"camera_path":"x.json")"), "give either"));
   EXPECT_TRUE(contains(failure_of(R"("camera_path":"gone.json")"), "gone.json cannot be opened"));
 }
 
@@ -122,8 +121,7 @@ TEST_F(SceneFile, LoadsAsAScene) {
   const string path = folder.write("s.json", R"({"meshes":["a.obj","a.obj"],"up_axis":"z"})").string();
   ThreadPool pool(2);
   EXPECT_EQ(load_scene(path, pool, warnings).vertex(1, 2), vec3(0, 0, -1));
-  EXPECT_EQ(load_scene(path, pool, warnings, UpAxis::y).vertex(1, 2), vec3(0, 1, 0))
-      << "the command line wins";
+  EXPECT_EQ(load_scene(path, pool, warnings, UpAxis::y).vertex(1, 2), vec3(0, 1, 0)) << "the command line wins";
   EXPECT_THROW(load_scene("scene:spheres,triangles=300", pool, warnings, UpAxis::z), Error);
 }
 

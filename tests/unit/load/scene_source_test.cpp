@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/procedural/spheres.h"
 #include "core/procedural/chess.h"
+#include "core/procedural/spheres.h"
 #include "core/procedural/thin.h"
 #include "tests/support/obj_test.h"
 
@@ -17,9 +17,7 @@ TEST(SceneSource, TakesProceduralScenesAndFiles) {
   EXPECT_EQ(made.positions, make_spheres({3000, 50}).positions);
   EXPECT_EQ(load_scene("scene:spheres", pool, warnings).triangle_count(), 500'000u);
   const TemporaryFolder folder;
-  EXPECT_EQ(
-      load_scene(folder.write("A.OBJ", kTriangle + "f 1 2 3\n").string(), pool, warnings).triangle_count(),
-      1u);
+  EXPECT_EQ(load_scene(folder.write("A.OBJ", kTriangle + "f 1 2 3\n").string(), pool, warnings).triangle_count(), 1u);
 }
 
 TEST(SceneSource, SaysWhatIsAllowed) {
@@ -57,8 +55,7 @@ TEST(SceneSource, KnowsChessAndThin) {
   Warnings warnings;
   EXPECT_EQ(load_scene("scene:chess,triangles=12000,reflective=5", pool, warnings).positions,
             make_chess({12'000, 5}).positions);
-  EXPECT_EQ(load_scene("scene:thin,triangles=12000", pool, warnings).positions,
-            make_thin({12'000, {}}).positions);
+  EXPECT_EQ(load_scene("scene:thin,triangles=12000", pool, warnings).positions, make_thin({12'000, {}}).positions);
 }
 
 }  // namespace

@@ -45,8 +45,7 @@ const Expected kScenes[] = {
     {"cornell_box/CornellBox-Empty-CO.obj", 12, 6, nullptr},
     {"cornell_box/CornellBox-Empty-RG.obj", 12, 6, nullptr},
     {"cornell_box/CornellBox-Empty-Squashed.obj", 12, 7, nullptr},
-    {"cornell_box/CornellBox-Glossy.obj", 1112, 8,
-     "2 triangles use materials that no MTL file defines ('light')"},
+    {"cornell_box/CornellBox-Glossy.obj", 1112, 8, "2 triangles use materials that no MTL file defines ('light')"},
     {"cornell_box/CornellBox-Glossy-Floor.obj", 1112, 8, "('light')"},
     {"sports_car/sportsCar.obj", 300'603 - 104, 38, "104 triangles of zero area"},
     {"mori_knob/testObj.obj", 11'970, 5, nullptr},
@@ -83,10 +82,10 @@ TEST(SharedScenes, BrokenOnesAreRefused) {
   if (!std::filesystem::exists(nasty)) GTEST_SKIP() << nasty << " is not here";
   EXPECT_TRUE(
       contains(error_of(file_contents(nasty / "index_past_end/invalid_index.obj")), ":12: a face uses vertex 7"));
-  EXPECT_TRUE(contains(
-      error_of(file_contents(nasty / "relative_texture_index/invalid-relative-texture-index.obj")), ":2: "));
-  EXPECT_TRUE(contains(error_of(file_contents(nasty / "invalid_faces/invalid-face-definition.obj")),
-                       "none of its 2 faces"));
+  EXPECT_TRUE(
+      contains(error_of(file_contents(nasty / "relative_texture_index/invalid-relative-texture-index.obj")), ":2: "));
+  EXPECT_TRUE(
+      contains(error_of(file_contents(nasty / "invalid_faces/invalid-face-definition.obj")), "none of its 2 faces"));
 }
 
 }  // namespace

@@ -68,17 +68,9 @@ TEST(Polygon, StraightCornersAndAHoleOnABridge) {
   for (int i = 10; i > 0; --i) box.emplace_back(i, 10, 0);
   for (int i = 10; i > 0; --i) box.emplace_back(0, i, 0);
   expect_tiled(box);
-  expect_tiled({{0, 0, 0},
-                {9, 0, 0},
-                {9, 9, 0},
-                {0, 9, 0},
-                {0, 0, 0},
-                {3, 3, 0},
-                {3, 6, 0},
-                {6, 6, 0},
-                {6, 3, 0},
-                {3, 3, 0}},
-               /*flat_ones_allowed=*/true);
+  expect_tiled(
+      {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {0, 0, 0}, {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}, {3, 3, 0}},
+      /*flat_ones_allowed=*/true);
 }
 
 TEST(Polygon, RoundOnesAreNoFans) {

@@ -19,8 +19,7 @@ Scene random_soup(uint32_t seed, int places, int triangles) {
   }
   std::vector<uvec3> corners;
   for (int i = 0; i < triangles; ++i)
-    corners.emplace_back(random() % positions.size(), random() % positions.size(),
-                         random() % positions.size());
+    corners.emplace_back(random() % positions.size(), random() % positions.size(), random() % positions.size());
   return bare_scene(std::move(positions), std::move(corners));
 }
 
@@ -31,8 +30,7 @@ struct Meeting {
 };
 
 bool degenerate(const Scene& s, uint32_t t) {
-  return s.vertex(t, 0) == s.vertex(t, 1) || s.vertex(t, 1) == s.vertex(t, 2) ||
-         s.vertex(t, 2) == s.vertex(t, 0);
+  return s.vertex(t, 0) == s.vertex(t, 1) || s.vertex(t, 1) == s.vertex(t, 2) || s.vertex(t, 2) == s.vertex(t, 0);
 }
 
 template <typename Visit>
@@ -121,15 +119,14 @@ void expect_same(const Topology& a, const Topology& b) {
   const auto same_component = [](const Component& x, const Component& y) {
     return x.first_triangle == y.first_triangle && x.triangles == y.triangles && x.winding == y.winding &&
            x.boundary_edges == y.boundary_edges && x.inconsistent_edges == y.inconsistent_edges &&
-           x.non_manifold_edges == y.non_manifold_edges && x.volume == y.volume &&
-           x.degenerate == y.degenerate;
+           x.non_manifold_edges == y.non_manifold_edges && x.volume == y.volume && x.degenerate == y.degenerate;
   };
-  EXPECT_TRUE(std::equal(a.components.begin(), a.components.end(), b.components.begin(), b.components.end(),
-                         same_component));
+  EXPECT_TRUE(
+      std::equal(a.components.begin(), a.components.end(), b.components.begin(), b.components.end(), same_component));
 }
 
 TEST(TopologyOracle, SameForAnyThreads) {
-  Scene scene = sphere_scene(120, 160);  // more than one chunk of everything
+  Scene scene = sphere_scene(120, 160);                                             // more than one chunk of everything
   for (int i = 0; i < 3000; ++i) add_cube(scene, vec3(i % 50, i / 50, 2 + i % 2));  // many touch
   scene = with_own_vertices(scene);
   std::mt19937 random(7);

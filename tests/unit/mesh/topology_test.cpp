@@ -14,8 +14,8 @@ struct Counts {
 };
 
 std::ostream& operator<<(std::ostream& out, const Counts& c) {
-  return out << c.components << " components, " << c.boundary << " boundary, " << c.inconsistent
-             << " inconsistent, " << c.non_manifold << " non-manifold";
+  return out << c.components << " components, " << c.boundary << " boundary, " << c.inconsistent << " inconsistent, "
+             << c.non_manifold << " non-manifold";
 }
 
 Counts counts(const Topology& t) {
@@ -68,8 +68,7 @@ TEST(Topology, MoebiusStripHasOneBoundaryAndNoOrientation) {
     const double around = 2 * kPi * i / kQuads;
     for (double side : {-0.3, 0.3}) {
       const double radius = 1 + side * std::cos(around / 2);
-      positions.emplace_back(radius * std::cos(around), radius * std::sin(around),
-                             side * std::sin(around / 2));
+      positions.emplace_back(radius * std::cos(around), radius * std::sin(around), side * std::sin(around / 2));
     }
     const uint32_t a = 2 * i, b = a + 1;
     const bool last = i + 1 == kQuads;

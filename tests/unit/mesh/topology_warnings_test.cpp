@@ -40,8 +40,7 @@ TEST(TopologyWarnings, OpenGlass) {
   scene.triangle_materials.assign(24, 1);
   scene.triangle_positions.pop_back();
   scene.triangle_materials.pop_back();
-  EXPECT_TRUE(
-      warned(warnings_of(scene), "11 triangles in 1 open components refract (first: material 'pane')"));
+  EXPECT_TRUE(warned(warnings_of(scene), "11 triangles in 1 open components refract (first: material 'pane')"));
   scene.materials[1] = glass(1);
   EXPECT_FALSE(refracts(scene));
   EXPECT_TRUE(warnings_of(scene).empty()) << "light goes straight on";

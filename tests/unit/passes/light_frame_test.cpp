@@ -51,8 +51,7 @@ TEST(LightFrame, DepthGrowsAwayFromTheLight) {
   const Scene scene = closed_box();
   for (const dvec3& toward : directions()) {
     const dmat4 unit = fit_light_frame(scene, toward).unit_from_scene();
-    const dvec4 near = unit * dvec4(dvec3(0.5) + 0.1 * toward, 1),
-                far = unit * dvec4(dvec3(0.5) - 0.1 * toward, 1);
+    const dvec4 near = unit * dvec4(dvec3(0.5) + 0.1 * toward, 1), far = unit * dvec4(dvec3(0.5) - 0.1 * toward, 1);
     EXPECT_LT(near.z, far.z);
     EXPECT_NEAR(near.x, far.x, 1e-12);
     EXPECT_NEAR(near.y, far.y, 1e-12);

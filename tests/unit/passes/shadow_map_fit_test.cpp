@@ -1,8 +1,7 @@
 #include "core/passes/shadow_map_fit.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 
 #include "core/passes/receiver_hull.h"
 #include "tests/support/shadow_warp.h"
@@ -105,7 +104,8 @@ TEST(ShadowMapFit, IsFiniteAndHoldsItsReceiversUnderEveryLight) {
   EXPECT_GT(warped, 30'000);
 }
 
-// z is a point's place along the light, and w knows nothing of it: whatever is nearer to the light is in the same texel.
+// z is a point's place along the light, and w knows nothing of it: whatever is nearer to the light is in the same
+// texel.
 TEST(ShadowMapFit, DepthIsLinearAlongTheLight) {
   Random random(3);
   for (int i = 0; i < 500; ++i) {

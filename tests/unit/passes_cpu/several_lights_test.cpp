@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <list>
 
-#include "core/procedural/spheres.h"
-#include "core/trace/kd_caster.h"
 #include "core/passes_cpu/mark_boundary.h"
 #include "core/passes_cpu/trace_pass.h"
+#include "core/procedural/spheres.h"
+#include "core/trace/kd_caster.h"
 #include "shaders/shared.h"
 #include "tests/support/trace_scenes.h"
 
@@ -33,8 +33,7 @@ class SeveralLights : public testing::Test {
     for (const DirectionalLight& light : lights) {
       job.lights.push_back({light});
       if (buffers && light.casts_shadow)
-        job.lights.back().buffer =
-            &buffers_.emplace_back(build_light_buffer(scene_, sheets_, light.toward, pool_));
+        job.lights.back().buffer = &buffers_.emplace_back(build_light_buffer(scene_, sheets_, light.toward, pool_));
     }
     return job;
   }
@@ -84,9 +83,8 @@ TEST_F(SeveralLights, WholeFrames) {
   const auto reference = make_reference_caster(tree_);
   for (uint32_t seed = 1; seed <= 3; ++seed)
     for (const bool buffers : {false, true}) {
-      expect_each_as_alone(seed, buffers, false, [&](const TraceJob& job, TraceStats& stats) {
-        return lit_in_frame(job, *caster_, stats);
-      });
+      expect_each_as_alone(seed, buffers, false,
+                           [&](const TraceJob& job, TraceStats& stats) { return lit_in_frame(job, *caster_, stats); });
       expect_each_as_alone(seed, buffers, false, [&](const TraceJob& job, TraceStats& stats) {
         return lit_in_frame(job, *reference, stats);
       });

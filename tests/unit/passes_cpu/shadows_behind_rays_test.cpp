@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/trace/kd_caster.h"
 #include "core/passes_cpu/trace_pass.h"
+#include "core/trace/kd_caster.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {

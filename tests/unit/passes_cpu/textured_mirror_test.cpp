@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/load/scene_source.h"
-#include "core/trace/kd_caster.h"
 #include "core/passes_cpu/trace_pass.h"
+#include "core/trace/kd_caster.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textured_scenes.h"
 
@@ -19,8 +19,10 @@ Scene ceiling(bool with_mirror) {
   folder.write("a.mtl", "newmtl lamp\nKd 0\nmap_Ke -s 20 20 noise.png\nnewmtl mirror\nKd 0\nKs 1\nillum 3\n");
   const std::string floor = "v -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\nusemtl mirror\nf -1 -2 -3 -4\n";
   const std::filesystem::path obj =
-      folder.write("a.obj", "mtllib a.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nv -9 2 -9\nv 9 2 -9\nv 9 2 9\nv -9 2 9\n"
-                            "usemtl lamp\nf 1/1 2/2 3/3 4/4\n" + (with_mirror ? floor : std::string()));
+      folder.write("a.obj",
+                   "mtllib a.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nv -9 2 -9\nv 9 2 -9\nv 9 2 9\nv -9 2 9\n"
+                   "usemtl lamp\nf 1/1 2/2 3/3 4/4\n" +
+                       (with_mirror ? floor : std::string()));
   LoadWatch watch;
   watch.read_texels = pattern_named;
   ThreadPool pool(1);

@@ -2,12 +2,12 @@
 
 #include <set>
 
-#include "core/procedural/chess.h"
 #include "core/load/obj_writer.h"
 #include "core/load/scene_json_writer.h"
 #include "core/load/scene_source.h"
-#include "core/procedural/thin.h"
 #include "core/mesh/weld.h"
+#include "core/procedural/chess.h"
+#include "core/procedural/thin.h"
 #include "tests/support/closed_mesh.h"
 #include "tests/support/obj_test.h"
 
@@ -34,8 +34,8 @@ TEST_P(Procedural, IsClosedAndFacesOutwardAtAnySize) {
 
 TEST_P(Procedural, MeetsTheCountFromEndToEnd) {
   for (double wanted = 10'000; wanted < 150'000; wanted *= 1.23)
-    ASSERT_NEAR(static_cast<double>(scene().make({static_cast<int64_t>(wanted), 10}).triangle_count()),
-                wanted, 0.05 * wanted);
+    ASSERT_NEAR(static_cast<double>(scene().make({static_cast<int64_t>(wanted), 10}).triangle_count()), wanted,
+                0.05 * wanted);
 }
 
 TEST_P(Procedural, ComponentsDoNotTouch) {
@@ -125,9 +125,8 @@ TEST_P(Procedural, HasAShot) {
 
 TEST_P(Procedural, RefusesWhatIsOutOfRange) {
   for (const ProceduralOptions& bad :
-       {ProceduralOptions{scene().fewest_triangles - 1, {}},
-        ProceduralOptions{scene().most_triangles + 1, {}}, ProceduralOptions{{}, -1.0},
-        ProceduralOptions{{}, 101.0}, ProceduralOptions{{}, std::nan("")}}) {
+       {ProceduralOptions{scene().fewest_triangles - 1, {}}, ProceduralOptions{scene().most_triangles + 1, {}},
+        ProceduralOptions{{}, -1.0}, ProceduralOptions{{}, 101.0}, ProceduralOptions{{}, std::nan("")}}) {
     try {
       scene().make(bad);
       ADD_FAILURE();

@@ -22,8 +22,7 @@ TEST(Spheres, MeetTheCountWithinTwoPercent) {
     ASSERT_GE(plan.ground_x * plan.ground_z, 4);
   }
   EXPECT_EQ(plan_spheres({}).side, 10);
-  EXPECT_EQ(make_spheres({3000, 50}).triangle_count(),
-            static_cast<size_t>(plan_spheres({3000, 50}).triangles()));
+  EXPECT_EQ(make_spheres({3000, 50}).triangle_count(), static_cast<size_t>(plan_spheres({3000, 50}).triangles()));
 }
 
 TEST(Spheres, MirrorsAreNested) {
@@ -76,9 +75,8 @@ TEST(Spheres, BallsAreClosedAndFaceOutward) {
 }
 
 TEST(Spheres, RefuseWhatIsOutOfRange) {
-  for (const SpheresOptions& bad :
-       {SpheresOptions{99, 10}, SpheresOptions{20'000'001, 10}, SpheresOptions{1000, -1},
-        SpheresOptions{1000, 101}, SpheresOptions{1000, std::nan("")}}) {
+  for (const SpheresOptions& bad : {SpheresOptions{99, 10}, SpheresOptions{20'000'001, 10}, SpheresOptions{1000, -1},
+                                    SpheresOptions{1000, 101}, SpheresOptions{1000, std::nan("")}}) {
     try {
       plan_spheres(bad);
       ADD_FAILURE();

@@ -3,16 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "core/load/scene_source.h"
+#include "core/scene/view.h"
 #include "core/trace/embree_caster.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/trace_scenes.h"
-#include "core/scene/view.h"
 
 namespace hybridrt {
 namespace {
 
-const char* const kCorners =
-    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n";
+const char* const kCorners = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n";
 const char* const kFiveWallsInward = "f 1 2 3 4\nf 1 4 8 5\nf 2 6 7 3\nf 1 5 6 2\nf 4 3 7 8\n";  // open at z = 1
 const char* const kFrontWallInward = "f 5 8 7 6\n";
 
@@ -29,7 +28,8 @@ DefaultView view_of_obj(const std::string& text) {
 }
 
 TEST(DefaultView, GoesAroundThings) {
-  for (const char* scene : {"scene:spheres,triangles=2000", "scene:chess,triangles=20000", "scene:thin,triangles=20000"})
+  for (const char* scene :
+       {"scene:spheres,triangles=2000", "scene:chess,triangles=20000", "scene:thin,triangles=20000"})
     EXPECT_EQ(view_of(scene).surroundings, Surroundings::outside) << scene;
 }
 
@@ -55,9 +55,12 @@ TEST(DefaultView, StandsInAClosedRoomWithALightOfItsOwn) {
 
 TEST(DefaultView, SharedScenesAreWhatTheyAre) {
   const std::pair<const char*, Surroundings> scenes[] = {
-      {"sibenik/sibenik.obj", Surroundings::inside},          {"holodeck/holodeck.obj", Surroundings::inside},
-      {"cornell_box/CornellBox-Mirror.obj", Surroundings::open}, {"teapot/teapot.obj", Surroundings::outside},
-      {"sports_car/sportsCar.obj", Surroundings::outside},    {"armadillo/armadillo.obj", Surroundings::outside},
+      {"sibenik/sibenik.obj", Surroundings::inside},
+      {"holodeck/holodeck.obj", Surroundings::inside},
+      {"cornell_box/CornellBox-Mirror.obj", Surroundings::open},
+      {"teapot/teapot.obj", Surroundings::outside},
+      {"sports_car/sportsCar.obj", Surroundings::outside},
+      {"armadillo/armadillo.obj", Surroundings::outside},
       {"scrub_pine/scrubPine.obj", Surroundings::outside}};  // whose foliage shows its back as often as its front
   for (const auto& [name, surroundings] : scenes) {
     const std::filesystem::path path = std::filesystem::path(HYBRIDRT_SHARED_SCENES) / name;

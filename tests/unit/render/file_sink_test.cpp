@@ -35,14 +35,12 @@ TEST(FileSink, WritesEveryPictureUnderItsOwnName) {
         },
         3, 2);
     for (int i = 0; i < 30; ++i)
-      sink.submit(folder.path / (fmt::format("f{}", i)), numbered(i),
-                  [&](double ms) { times_ms.push_back(ms); });
+      sink.submit(folder.path / (fmt::format("f{}", i)), numbered(i), [&](double ms) { times_ms.push_back(ms); });
     sink.drain();
     EXPECT_EQ(times_ms.size(), 30u);
   }
   for (int i = 0; i < 30; ++i)
-    EXPECT_EQ(file_contents(folder.path / (fmt::format("f{}", i))), (std::string{static_cast<char>(i), 2}))
-        << i;
+    EXPECT_EQ(file_contents(folder.path / (fmt::format("f{}", i))), (std::string{static_cast<char>(i), 2})) << i;
   EXPECT_EQ(folder.names().size(), 30u);
   for (const double ms : times_ms) EXPECT_GT(ms, 0);
 }
@@ -148,7 +146,8 @@ TEST(FileSink, MakesTheFolderOrSaysWhyNot) {
 }
 
 TEST(FileSink, UnaskedFailureDoesNotEndTheProcess) {
-  FileSink sink([](const Image&, const fs::path&, const ImageMetadata&) -> std::vector<unsigned char> { throw 42; }, 1, 1);
+  FileSink sink([](const Image&, const fs::path&, const ImageMetadata&) -> std::vector<unsigned char> { throw 42; }, 1,
+                1);
   sink.submit("/nowhere/a", numbered(1));
 }
 

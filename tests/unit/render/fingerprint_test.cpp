@@ -83,10 +83,19 @@ TEST(FrameFingerprint, ChangesWithCameraLightAndSettings) {
       {"fov", [](FrameRequest& r, RenderSettings&) { r.camera.fov_y_rad = 0.1; }},
       {"light", [](FrameRequest& r, RenderSettings&) { r.lights = {DirectionalLight{}}; }},
       {"direction", [](FrameRequest& r, RenderSettings&) { r.lights = {{dvec3(1, 0, 0)}}; }},
-      {"light color", [](FrameRequest& r, RenderSettings&) { r.lights = {{dvec3(0, 1, 0), vec3(0.5f)}}; }},
+      {"light color",
+       [](FrameRequest& r, RenderSettings&) {
+         r.lights = {{dvec3(0, 1, 0), vec3(0.5f)}};
+       }},
       {"two lights", [](FrameRequest& r, RenderSettings&) { r.lights.resize(2); }},
-      {"second light", [](FrameRequest& r, RenderSettings&) { r.lights = {{}, {dvec3(1, 0, 0)}}; }},
-      {"their order", [](FrameRequest& r, RenderSettings&) { r.lights = {{dvec3(1, 0, 0)}, {}}; }},
+      {"second light",
+       [](FrameRequest& r, RenderSettings&) {
+         r.lights = {{}, {dvec3(1, 0, 0)}};
+       }},
+      {"their order",
+       [](FrameRequest& r, RenderSettings&) {
+         r.lights = {{dvec3(1, 0, 0)}, {}};
+       }},
       {"width", [](FrameRequest&, RenderSettings& s) { s.width_px = 100; }},
       {"height", [](FrameRequest&, RenderSettings& s) { s.height_px = 100; }},
       {"method", [](FrameRequest&, RenderSettings& s) { s.method = Method::reference; }},
@@ -96,7 +105,10 @@ TEST(FrameFingerprint, ChangesWithCameraLightAndSettings) {
       {"background", [](FrameRequest&, RenderSettings& s) { s.background.z = 0.5f; }},
       {"map", [](FrameRequest&, RenderSettings& s) { s.shadow_map_px = 512; }},
       {"warp", [](FrameRequest&, RenderSettings& s) { s.shadow_warp = ShadowWarp::uniform; }},
-      {"shadowless light", [](FrameRequest& r, RenderSettings&) { r.lights = {{dvec3(0, 1, 0), vec3(1), false}}; }},
+      {"shadowless light",
+       [](FrameRequest& r, RenderSettings&) {
+         r.lights = {{dvec3(0, 1, 0), vec3(1), false}};
+       }},
       {"depth", [](FrameRequest&, RenderSettings& s) { s.reflection_depth = 1; }}};
   std::set<uint64_t> seen = {fingerprint(1, FrameRequest{}, RenderSettings{})};
   EXPECT_TRUE(seen.insert(fingerprint(2, FrameRequest{}, RenderSettings{})).second) << "scene";

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "tests/support/trace_scenes.h"
 #include "core/procedural/spheres.h"
+#include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
 namespace {
@@ -38,8 +38,7 @@ FrameRequest looking(const dvec3& eye, const dvec3& target) {
 const FrameRequest kTowards = looking({0.5, 0.5, 5}, {0.5, 0.5, 0.5});
 const FrameRequest kAway = looking({0.5, 0.5, 5}, {0.5, 0.5, 10});
 
-FramePlan plan_for(const Scene& scene, const RenderSettings& settings,
-                   const FrameRequest& request = kTowards) {
+FramePlan plan_for(const Scene& scene, const RenderSettings& settings, const FrameRequest& request = kTowards) {
   return make_frame_plan(scene, make_scene_facts(scene), request, settings);
 }
 

@@ -49,8 +49,7 @@ TEST(FrameSpec, Ranges) {
 TEST(FrameSpec, InAListALoneNumberIsThatFrame) {
   EXPECT_EQ(frames_of("1-3,20,30-32"), (Frames{1, 2, 3, 20, 30, 31, 32}));
   EXPECT_EQ(frames_of("9,5"), (Frames{9, 5})) << "the order given";
-  EXPECT_EQ(frames_of("1-9:2,2-8:2"), (Frames{1, 3, 5, 7, 9, 2, 4, 6, 8}))
-      << "interleaved, but no frame twice";
+  EXPECT_EQ(frames_of("1-9:2,2-8:2"), (Frames{1, 3, 5, 7, 9, 2, 4, 6, 8})) << "interleaved, but no frame twice";
 }
 
 TEST(FrameSpec, Bounds) {
@@ -77,10 +76,9 @@ TEST(FrameSpec, BackwardsRangesAreRefused) {
 }
 
 TEST(FrameSpec, OverlapsAreRefused) {
-  for (const char* text :
-       {"1-10,10-20", "1-10,5", "5,5", "1-100:3,4-5", "1-9:2,2-8:2,8", "10-20,1-30", "1-10:3,1-10:7",
-        "1-1000000000,999999999-1000000001", "1-10000000,9999999-20000001",
-        "1-2000000000:3,2-2000000000:1000000007", "5-2000000000:2,7-9"})
+  for (const char* text : {"1-10,10-20", "1-10,5", "5,5", "1-100:3,4-5", "1-9:2,2-8:2,8", "10-20,1-30", "1-10:3,1-10:7",
+                           "1-1000000000,999999999-1000000001", "1-10000000,9999999-20000001",
+                           "1-2000000000:3,2-2000000000:1000000007", "5-2000000000:2,7-9"})
     EXPECT_NE(refusal(text).find("overlap"), std::string::npos) << text;
   for (const char* text :
        {"1-10:3,2-10:3,3-9:3", "1-9,10-20", "1-1000000000:2,2-1000000000:2", "1-2000000000:6,2-2000000000:4"})

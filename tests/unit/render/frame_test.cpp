@@ -8,8 +8,7 @@ namespace hybridrt {
 namespace {
 
 TEST(PictureFromRgba, SplitsOffAndCountsWhatSeesASurface) {
-  const std::vector<vec4> rgba = {{1, 2, 3, 1}, {4, 5, 6, 0},  {7, 8, 9, 1},
-                                  {0, 0, 0, 0}, {-1, 0, 1, 1}, {2, 2, 2, 0}};
+  const std::vector<vec4> rgba = {{1, 2, 3, 1}, {4, 5, 6, 0}, {7, 8, 9, 1}, {0, 0, 0, 0}, {-1, 0, 1, 1}, {2, 2, 2, 0}};
   int64_t hit = 0;
   const Image picture = picture_from_rgba(rgba.data(), 3, 2, {0, 0, 3, 2}, hit);
   EXPECT_EQ(hit, 3);

@@ -16,9 +16,9 @@ TEST(CameraMotion, GoesOnceAroundWithoutRepeatingAFrame) {
     const dvec3 eye = camera_at(motion, frame).eye_world, next = camera_at(motion, frame + 1).eye_world;
     EXPECT_NEAR(glm::length(eye), glm::length(next), 1e-12);
     // An eighth of a turn about the up axis.
-    EXPECT_NEAR(glm::dot(dvec2(eye.x, eye.z), dvec2(next.x, next.z)) /
-                    glm::dot(dvec2(eye.x, eye.z), dvec2(eye.x, eye.z)),
-                std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(
+        glm::dot(dvec2(eye.x, eye.z), dvec2(next.x, next.z)) / glm::dot(dvec2(eye.x, eye.z), dvec2(eye.x, eye.z)),
+        std::sqrt(0.5), 1e-12);
     EXPECT_EQ(eye.y, next.y);
   }
   EXPECT_NEAR(glm::distance(camera_at(motion, 9).eye_world, camera_at(motion, 1).eye_world), 0, 1e-12);

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/passes_cpu/trace_pass.h"
 #include "core/scene/view.h"
 #include "core/trace/kd_caster.h"
-#include "core/passes_cpu/trace_pass.h"
 #include "tests/support/textured_scenes.h"
 
 namespace hybridrt {

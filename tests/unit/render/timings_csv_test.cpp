@@ -49,8 +49,7 @@ class TimingsCsvTest : public testing::Test {
 
 TEST_F(TimingsCsvTest, HeaderAndEveryColumn) {
   Frame frame = numbered(12);
-  for (size_t i = 0; i < frame.timings.pass_ms.size(); ++i)
-    frame.timings.pass_ms[i] = 10.5 + static_cast<double>(i);
+  for (size_t i = 0; i < frame.timings.pass_ms.size(); ++i) frame.timings.pass_ms[i] = 10.5 + static_cast<double>(i);
   frame.timings.wall_ms = 99.25;
   frame.stats = {21, 22, 23, 24, 25, 26, 27, 28, 29.5, 30.5, 31, 32, 33.5};
   TimingsCsv csv(path());
@@ -68,14 +67,12 @@ TEST_F(TimingsCsvTest, HeaderAndEveryColumn) {
   }
   EXPECT_EQ(row.size(), names.size()) << "a name twice";
   const std::map<std::string, double> expected = {
-      {"frame", 12},           {"shadow_map_ms", 10.5},   {"id_ms", 11.5},
-      {"mark_ms", 12.5},       {"readback_ms", 13.5},     {"trace_ms", 14.5},
-      {"upload_ms", 15.5},     {"shade_ms", 16.5},        {"download_ms", 17.5},
-      {"write_ms", 7.125},     {"wall_ms", 99.25},        {"pixels_hit", 21},
-      {"pixels_marked", 22},   {"pixels_reflective", 23}, {"pixels_refractive", 24},
-      {"shadow_rays", 25},     {"reflection_rays", 27},   {"refraction_rays", 28},
-      {"shadow_cpu_ms", 29.5}, {"secondary_cpu_ms", 30.5}, {"pixels_suspect", 31},
-      {"pixels_repaired", 32}, {"repair_ms", 33.5}};
+      {"frame", 12},           {"shadow_map_ms", 10.5},   {"id_ms", 11.5},           {"mark_ms", 12.5},
+      {"readback_ms", 13.5},   {"trace_ms", 14.5},        {"upload_ms", 15.5},       {"shade_ms", 16.5},
+      {"download_ms", 17.5},   {"write_ms", 7.125},       {"wall_ms", 99.25},        {"pixels_hit", 21},
+      {"pixels_marked", 22},   {"pixels_reflective", 23}, {"pixels_refractive", 24}, {"shadow_rays", 25},
+      {"reflection_rays", 27}, {"refraction_rays", 28},   {"shadow_cpu_ms", 29.5},   {"secondary_cpu_ms", 30.5},
+      {"pixels_suspect", 31},  {"pixels_repaired", 32},   {"repair_ms", 33.5}};
   for (const auto& [name, value] : expected) EXPECT_EQ(row.at(name), value) << name;
 }
 

@@ -12,8 +12,7 @@ namespace {
 using std::string;
 
 const string kFour = key(1, "[0,0,10]") + "," + key(11, "[10,0,0]", ",\"fov_y_deg\":60") + "," +
-                     key(31, "[10,5,-10]", ",\"fov_y_deg\":60") + "," +
-                     key(41, "[0,0,-10]", ",\"fov_y_deg\":20");
+                     key(31, "[10,5,-10]", ",\"fov_y_deg\":60") + "," + key(41, "[0,0,-10]", ",\"fov_y_deg\":20");
 
 TEST(CameraPath, GoesThroughItsKeysAndHoldsBeyondThem) {
   const CameraPath path = read_path(kFour);
@@ -42,8 +41,8 @@ TEST(CameraPath, EvenlySpacedKeysOnALineAreAStraightEvenMove) {
 }
 
 TEST(CameraPath, KeysInOnePlaceStayThere) {
-  const CameraPath path = read_path(key(1, "[1,2,3]") + "," + key(5, "[1,2,3]") + "," + key(9, "[4,2,3]") +
-                                    "," + key(12, "[4,2,3]"));
+  const CameraPath path =
+      read_path(key(1, "[1,2,3]") + "," + key(5, "[1,2,3]") + "," + key(9, "[4,2,3]") + "," + key(12, "[4,2,3]"));
   EXPECT_EQ(camera_on_path(path, 3).eye_world, dvec3(1, 2, 3));
   EXPECT_TRUE(all_finite(camera_on_path(path, 7).eye_world));
   EXPECT_EQ(camera_on_path(path, 11).eye_world, dvec3(4, 2, 3));
@@ -62,8 +61,7 @@ TEST(CameraPath, FieldOfViewDoesNotOvershoot) {
 }
 
 TEST(CameraPath, UpIsUnitAndTurns) {
-  const CameraPath path =
-      read_path(key(1, "[0,0,9]", ",\"up\":[0,5,0]") + "," + key(3, "[0,0,9]", ",\"up\":[2,0,0]"));
+  const CameraPath path = read_path(key(1, "[0,0,9]", ",\"up\":[0,5,0]") + "," + key(3, "[0,0,9]", ",\"up\":[2,0,0]"));
   const dvec3 up = camera_on_path(path, 2).up;
   EXPECT_NEAR(glm::length(up), 1, 1e-12);
   EXPECT_NEAR(up.x, up.y, 1e-12);

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/procedural/spheres.h"
 #include "core/render/default_view.h"
 #include "core/render/render_job.h"
-#include "core/procedural/spheres.h"
 #include "core/scene/view.h"
 #include "tests/support/trace_scenes.h"
 

@@ -48,8 +48,7 @@ TEST(View, PixelsGoFromTopLeftToBottomRight) {
 TEST(View, ProjectionAndRaysAgree) {
   Random random(2);
   for (int i = 0; i < 300; ++i) {
-    const int width = 1 + static_cast<int>(random.below(2000)),
-              height = 1 + static_cast<int>(random.below(2000));
+    const int width = 1 + static_cast<int>(random.below(2000)), height = 1 + static_cast<int>(random.below(2000));
     const double near = random.between(1e-6f, 1e-2f);
     const View view = make_view(random_camera(random), dvec3(0), width, height);
     const dmat4 projection = clip_from_eye(view, near);
@@ -71,15 +70,12 @@ TEST(View, ProjectionAndRaysAgree) {
 }
 
 TEST(View, UpAlongTheViewIsReplaced) {
-  for (const dvec3& forward :
-       {dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(1, 0, 0), dvec3(0.6, 0, 0.8), dvec3(0, 0, -1)})
+  for (const dvec3& forward : {dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(1, 0, 0), dvec3(0.6, 0, 0.8), dvec3(0, 0, -1)})
     for (double sign : {1.0, -1.0})
       expect_orthonormal(make_view({dvec3(0), 7.0 * forward, sign * forward, 1}, dvec3(0), 10, 10));
 }
 
-TEST(View, ZeroUpIsReplaced) {
-  expect_orthonormal(make_view({{0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 1}, dvec3(0), 9, 9));
-}
+TEST(View, ZeroUpIsReplaced) { expect_orthonormal(make_view({{0, 0, 1}, {0, 0, 0}, {0, 0, 0}, 1}, dvec3(0), 9, 9)); }
 
 TEST(View, EyeAtTheTargetIsRefused) {
   try {

@@ -27,8 +27,7 @@ double line_to_outline(const Ray<double>& ray, const Scene& scene, uint32_t tria
 
 /// 32 float roundings of the largest distance in the scene.
 double rounding_of(const Scene& scene, const Ray<double>& ray) {
-  return 32 * 0x1p-24 *
-         (glm::distance(dvec3(scene.bounds.center()), ray.origin) + glm::length(scene.bounds.extent()));
+  return 32 * 0x1p-24 * (glm::distance(dvec3(scene.bounds.center()), ray.origin) + glm::length(scene.bounds.extent()));
 }
 
 // Embree and the kd-tree round differently, so against the truth in double this counts as agreement:
@@ -37,8 +36,8 @@ double rounding_of(const Scene& scene, const Ray<double>& ray) {
 //  - a dispute about whether the nearer triangle is hit at all, while the ray passes its outline, or the hit
 //    the end of the ray's range, within the same bound.
 // One caster answers both questions alike; only Embree's packets may dispute with themselves, of such rays.
-void expect_agreement(const RayCaster<float>& caster, const Scene& scene,
-                      const std::vector<Ray<float>>& rays, bool one_mind = true) {
+void expect_agreement(const RayCaster<float>& caster, const Scene& scene, const std::vector<Ray<float>>& rays,
+                      bool one_mind = true) {
   std::vector<Hit<float>> hits(rays.size());
   std::vector<uint8_t> occluded(rays.size());
   caster.closest_hits(rays, hits);
@@ -60,9 +59,8 @@ void expect_agreement(const RayCaster<float>& caster, const Scene& scene,
     const bool truth_is_nearer = truth.t < hit.t;
     const double t = truth_is_nearer ? truth.t : hit.t;
     if (std::abs(t - ray.t_min) <= t_bound || std::abs(t - ray.t_max) <= t_bound) continue;
-    EXPECT_LE(line_to_outline(ray, scene, truth_is_nearer ? truth.triangle : hit.triangle), bound)
-        << fmt::format("ray {}: hit {} at {}, truth {} at {}", i, int(hit.triangle), hit.t,
-                       int(truth.triangle), truth.t);
+    EXPECT_LE(line_to_outline(ray, scene, truth_is_nearer ? truth.triangle : hit.triangle), bound) << fmt::format(
+        "ray {}: hit {} at {}, truth {} at {}", i, int(hit.triangle), hit.t, int(truth.triangle), truth.t);
   }
 }
 

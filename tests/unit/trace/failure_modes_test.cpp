@@ -68,9 +68,9 @@ TEST(FailureModes, AConvexBodyDoesNotShadowItsLitSide) {
     }
 }
 
-// Needles a million times as long as wide, met at half a degree, half a unit from the start. Single precision cannot tell
-// where along such a needle the ray meets it, nor quite whether: it must stay finite and be what brute force says. Double
-// precision tells.
+// Needles a million times as long as wide, met at half a degree, half a unit from the start. Single precision cannot
+// tell where along such a needle the ray meets it, nor quite whether: it must stay finite and be what brute force says.
+// Double precision tells.
 TEST(FailureModes, NeedlesAtGrazingAngles) {
   Random random(5);
   Scene scene;
@@ -99,7 +99,8 @@ TEST(FailureModes, NeedlesAtGrazingAngles) {
     Hit<double> truth;
     reference->closest_hits({&ray, 1}, {&truth, 1});
     if (truth.found() && std::abs(truth.t - 0.5) < 1e-4) ++found_in_double;
-    for (const Hit<float>& hit : {kd[i], embree[i]}) EXPECT_TRUE(!hit.found() || (hit.t >= 0 && std::isfinite(hit.t))) << i;
+    for (const Hit<float>& hit : {kd[i], embree[i]})
+      EXPECT_TRUE(!hit.found() || (hit.t >= 0 && std::isfinite(hit.t))) << i;
     if (i % 10 == 0) {
       EXPECT_EQ(kd[i].triangle, brute_force_hit(scene, rays[i]).triangle) << i;
     }

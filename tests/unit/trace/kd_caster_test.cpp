@@ -19,9 +19,9 @@ bool same_bits(const Hit<Real>& a, const Hit<Real>& b) {
 
 template <typename Real>
 std::string text(const Ray<Real>& ray, const Hit<Real>& hit) {
-  return fmt::format("origin {} {} {} dir {} {} {} t ({}, {}): hit {} t {} u {} v {}", ray.origin.x,
-                     ray.origin.y, ray.origin.z, ray.dir.x, ray.dir.y, ray.dir.z, ray.t_min, ray.t_max,
-                     int(hit.triangle), hit.t, hit.u, hit.v);
+  return fmt::format("origin {} {} {} dir {} {} {} t ({}, {}): hit {} t {} u {} v {}", ray.origin.x, ray.origin.y,
+                     ray.origin.z, ray.dir.x, ray.dir.y, ray.dir.z, ray.t_min, ray.t_max, int(hit.triangle), hit.t,
+                     hit.u, hit.v);
 }
 
 template <typename Real>
@@ -32,8 +32,7 @@ std::vector<Hit<Real>> closest(const RayCaster<Real>& caster, const std::vector<
 }
 
 template <typename Real>
-void expect_brute_force(const RayCaster<Real>& caster, const Scene& scene,
-                        const std::vector<Ray<Real>>& rays) {
+void expect_brute_force(const RayCaster<Real>& caster, const Scene& scene, const std::vector<Ray<Real>>& rays) {
   const std::vector<Hit<Real>> hits = closest(caster, rays);
   for (size_t i = 0; i < rays.size(); ++i) {
     const Hit<Real> truth = brute_force_hit(scene, rays[i]);
@@ -135,8 +134,8 @@ TEST(KdCasterRays, BarycentricWeightsNameTheHitPoint) {
   for (size_t i = 0; i < rays.size(); ++i) {
     if (!hits[i].found()) continue;
     const uint32_t hit = hits[i].triangle;
-    const vec3 by_weights = scene.vertex(hit, 0) * (1 - hits[i].u - hits[i].v) +
-                            scene.vertex(hit, 1) * hits[i].u + scene.vertex(hit, 2) * hits[i].v;
+    const vec3 by_weights = scene.vertex(hit, 0) * (1 - hits[i].u - hits[i].v) + scene.vertex(hit, 1) * hits[i].u +
+                            scene.vertex(hit, 2) * hits[i].v;
     EXPECT_LT(glm::distance(by_weights, rays[i].origin + hits[i].t * rays[i].dir), 1e-5f);
   }
 }

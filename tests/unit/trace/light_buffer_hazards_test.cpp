@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/passes_cpu/trace_pass.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/light_buffer.h"
 #include "core/trace/primary_surface.h"
-#include "core/passes_cpu/trace_pass.h"
 #include "shaders/shared.h"
 #include "tests/support/trace_scenes.h"
 
@@ -27,11 +27,11 @@ Sheets loose(const Scene& scene) {
 Scene top_in_a_box() {
   Scene scene = closed_box();
   const auto first = static_cast<uint32_t>(scene.positions.size());
-  for (const vec3& p : {vec3(0.5f, 0.6f, 0.5f), vec3(0.3f, 0.8f, 0.3f), vec3(0.7f, 0.8f, 0.3f),
-                        vec3(0.7f, 0.8f, 0.7f), vec3(0.3f, 0.8f, 0.7f)})
+  for (const vec3& p : {vec3(0.5f, 0.6f, 0.5f), vec3(0.3f, 0.8f, 0.3f), vec3(0.7f, 0.8f, 0.3f), vec3(0.7f, 0.8f, 0.7f),
+                        vec3(0.3f, 0.8f, 0.7f)})
     scene.positions.push_back(p);
-  for (const uvec3& corners : {uvec3(0, 1, 2), uvec3(0, 2, 3), uvec3(0, 3, 4), uvec3(0, 4, 1), uvec3(1, 3, 2),
-                               uvec3(1, 4, 3)})
+  for (const uvec3& corners :
+       {uvec3(0, 1, 2), uvec3(0, 2, 3), uvec3(0, 3, 4), uvec3(0, 4, 1), uvec3(1, 3, 2), uvec3(1, 4, 3)})
     scene.triangle_positions.push_back(corners + first);
   return scene;
 }
@@ -118,7 +118,7 @@ TEST(LightBufferHazards, AQueryThatMayLieAnywhereDoesNotMeetItsOwnTriangleEither
   for (int i = 0; i < 20000; ++i) {
     const uint32_t triangle = random.below(static_cast<uint32_t>(scene.triangle_count()));
     const dvec3 a(scene.vertex(triangle, 0)), e1 = dvec3(scene.vertex(triangle, 1)) - a,
-        e2 = dvec3(scene.vertex(triangle, 2)) - a;
+                                              e2 = dvec3(scene.vertex(triangle, 2)) - a;
     const double u = random.unit(), v = random.unit() * (1 - u);
     ShadowQuery query{a + u * e1 + v * e2, triangle};
     const uint8_t nowhere_else = answer(buffer, query);

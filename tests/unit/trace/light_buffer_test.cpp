@@ -29,8 +29,7 @@ class LightBufferTest : public testing::TestWithParam<NamedScene> {
   }
 
   /// Queries from points of the triangles, corners and edges among them, on the side that faces the light.
-  static std::vector<ShadowQuery> surface_queries(const Scene& scene, const dvec3& toward, uint32_t seed,
-                                                  int count) {
+  static std::vector<ShadowQuery> surface_queries(const Scene& scene, const dvec3& toward, uint32_t seed, int count) {
     Random random(seed);
     std::vector<ShadowQuery> queries;
     if (scene.triangle_count() == 0) return queries;
@@ -47,8 +46,8 @@ class LightBufferTest : public testing::TestWithParam<NamedScene> {
       const dvec3 point = a + u * (b - a) + v * (c - a);
       const dvec3 size = glm::max(glm::abs(point), glm::max(glm::abs(b - a), glm::abs(c - a)));
       if (glm::dot(side, toward) <= 0) continue;
-      queries.push_back({point + kRelativeOffset<double> * std::max({size.x, size.y, size.z}) * side,
-                         triangle, from_front, /*anywhere=*/false, /*is_precise=*/true});
+      queries.push_back({point + kRelativeOffset<double> * std::max({size.x, size.y, size.z}) * side, triangle,
+                         from_front, /*anywhere=*/false, /*is_precise=*/true});
     }
     return queries;
   }
@@ -60,20 +59,17 @@ class LightBufferTest : public testing::TestWithParam<NamedScene> {
     std::vector<ShadowQuery> queries;
     if (scene.triangle_count() == 0) return queries;
     for (int i = 0; i < count; ++i) {
-      const dvec3 origin =
-          dvec3(scene.bounds.center()) + dvec3(scene.bounds.extent() * random.in_cube(-0.7f, 0.7f));
+      const dvec3 origin = dvec3(scene.bounds.center()) + dvec3(scene.bounds.extent() * random.in_cube(-0.7f, 0.7f));
       queries.push_back({origin, kNoTriangle, true, may_be_enclosed(buffer, origin)});
     }
     return queries;
   }
 
-  static int wrong_answers(const Scene& scene, const LightBuffer& buffer,
-                           const std::vector<ShadowQuery>& queries) {
+  static int wrong_answers(const Scene& scene, const LightBuffer& buffer, const std::vector<ShadowQuery>& queries) {
     std::vector<uint8_t> occluded(queries.size());
     shadow_answers(buffer, queries, occluded);
     int wrong = 0;
-    for (size_t i = 0; i < queries.size(); ++i)
-      wrong += truth(scene, buffer.toward, queries[i]) != (occluded[i] == 1);
+    for (size_t i = 0; i < queries.size(); ++i) wrong += truth(scene, buffer.toward, queries[i]) != (occluded[i] == 1);
     return wrong;
   }
 
@@ -182,9 +178,7 @@ TEST(LightBuffer, KnowsWhoIsInsideAClosedBody) {
   const Scene ball = closed_sphere(32, 16);
   ThreadPool pool(1);
   const Sheets sheets = make_sheets(ball, build_topology(ball, pool), pool);
-  const LightBuffer buffer =
-      build_light_buffer(ball, sheets,
-                                                glm::normalize(dvec3(0.1, 1, 0.2)), pool);
+  const LightBuffer buffer = build_light_buffer(ball, sheets, glm::normalize(dvec3(0.1, 1, 0.2)), pool);
   EXPECT_TRUE(may_be_enclosed(buffer, {0.1, 0.2, 0.3}));
   EXPECT_FALSE(may_be_enclosed(buffer, {0.1, -1.5, 0.1})) << "below it";
   EXPECT_FALSE(may_be_enclosed(buffer, {0.1, 1.5, 0.1})) << "above it";

@@ -18,9 +18,7 @@ struct Numbers : Random {
   double magnitude(double lo, double hi) { return lo * std::pow(hi / lo, double(unit())); }
   double sign() { return below(2) ? 1 : -1; }
   /// A point off by what light space and grid coordinates round.
-  dvec3 rounded(const dvec3& p) {
-    return p + kRounding * dvec3(between(-1, 1), between(-1, 1), 0);
-  }
+  dvec3 rounded(const dvec3& p) { return p + kRounding * dvec3(between(-1, 1), between(-1, 1), 0); }
 };
 
 /// Calls body(point of the triangle, its place in cell (i, j), i, j) for points in the grid.
@@ -74,8 +72,9 @@ TEST(LightCells, ListSliversWhereverTheyGo) {
     const auto in_grid = [&] { return 2.0 * kCells * dvec3(random.unit(), random.unit(), 0); };
     const dvec3 from = in_grid(), to = in_grid();
     const dvec3 across = glm::normalize(dvec3(from.y - to.y, to.x - from.x, 0));
-    const dvec3 corners[3] = {from, to, from + random.magnitude(1e-9, 1) * (to - from) +
-                                            (n % 3 ? random.magnitude(1e-14, 1e-3) : 0) * across};
+    const dvec3 corners[3] = {
+        from, to,
+        from + random.magnitude(1e-9, 1) * (to - from) + (n % 3 ? random.magnitude(1e-14, 1e-3) : 0) * across};
     const GridTriangle triangle(random.rounded(corners[0]), random.rounded(corners[1]), random.rounded(corners[2]));
     std::set<std::pair<int, int>> listed;
     for_each_cell(triangle, kCells, kCells, [&](int i, int j) { listed.insert({i, j}); });

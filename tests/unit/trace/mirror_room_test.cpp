@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/trace/kd_caster.h"
 #include "core/passes_cpu/trace_pass.h"
+#include "core/trace/kd_caster.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
@@ -101,8 +101,7 @@ TYPED_TEST(MirrorRoom, ImagesStandWhereTheyMust) {
 }
 
 TYPED_TEST(MirrorRoom, DepthZeroFiresNoSecondaryRay) {
-  const Traced<TypeParam> seen(TestFixture::facing_mirrors(0.5f), {{2, 0, 0}, {3, 0, 0}, {0, 1, 0}, 1}, 16,
-                               16, 0);
+  const Traced<TypeParam> seen(TestFixture::facing_mirrors(0.5f), {{2, 0, 0}, {3, 0, 0}, {0, 1, 0}, 1}, 16, 16, 0);
   EXPECT_EQ(seen.stats.reflection_rays, 0);
   EXPECT_EQ(seen.stats.refraction_rays, 0);
   EXPECT_EQ(seen.stats.pixels_hit, 256);
@@ -113,12 +112,10 @@ TYPED_TEST(MirrorRoom, DepthZeroFiresNoSecondaryRay) {
 TYPED_TEST(MirrorRoom, RaysEndAtTheirDepthOrWeight) {
   const Camera camera{{2, 20, 20}, {3, 20, 20}, {0, 1, 0}, 0.001};
   EXPECT_EQ(Traced<TypeParam>(TestFixture::facing_mirrors(1), camera, 1, 1, 64).stats.reflection_rays, 64);
-  const int64_t fired =
-      Traced<TypeParam>(TestFixture::facing_mirrors(0.5f), camera, 1, 1, 64).stats.reflection_rays;
+  const int64_t fired = Traced<TypeParam>(TestFixture::facing_mirrors(0.5f), camera, 1, 1, 64).stats.reflection_rays;
   EXPECT_EQ(fired, 10);
   EXPECT_EQ(Traced<TypeParam>(TestFixture::facing_mirrors(0.03f), camera, 1, 1, 64).stats.reflection_rays, 1);
-  EXPECT_EQ(Traced<TypeParam>(TestFixture::facing_mirrors(0.0009f), camera, 1, 1, 64).stats.reflection_rays,
-            0);
+  EXPECT_EQ(Traced<TypeParam>(TestFixture::facing_mirrors(0.0009f), camera, 1, 1, 64).stats.reflection_rays, 0);
 }
 
 // A pane with Ni = 1 lets (1 - d) of what is behind it through, straight on; two panes, the square of it.
@@ -148,8 +145,7 @@ TYPED_TEST(MirrorRoom, ThickPaneShiftsByTheBookFormula) {
   glass.transmit = vec3(1);
   glass.ni = 1.5f;
   glass.fresnel = Fresnel::dielectric;
-  const double sine = 0.6, tan_in = sine / 0.8, inside = sine / 1.5,
-               tan_out = inside / std::sqrt(1 - inside * inside);
+  const double sine = 0.6, tan_in = sine / 0.8, inside = sine / 1.5, tan_out = inside / std::sqrt(1 - inside * inside);
   const double thickness = 2, shift = thickness * (tan_in - tan_out);
   // Straight on the ray would meet the wall at z = -5 at x = 5 tan_in + 1 tan_in (it starts at z = 1).
   const double x_hit = 6 * tan_in - shift;

@@ -15,8 +15,7 @@ Scene as_glass(Scene scene, float ni, bool smooth) {
   scene.triangle_normals.clear();
   for (uint32_t t = 0; t < scene.triangle_count(); ++t) {
     const uint32_t first = static_cast<uint32_t>(scene.normals.size());
-    const vec3 face =
-        glm::cross(scene.vertex(t, 1) - scene.vertex(t, 0), scene.vertex(t, 2) - scene.vertex(t, 0));
+    const vec3 face = glm::cross(scene.vertex(t, 1) - scene.vertex(t, 0), scene.vertex(t, 2) - scene.vertex(t, 0));
     for (int k = 0; k < 3; ++k) scene.normals.push_back(glm::normalize(smooth ? scene.vertex(t, k) : face));
     scene.triangle_normals.push_back({first, first + 1, first + 2});
   }
@@ -41,10 +40,8 @@ Scene block(const vec3& lo, const vec3& hi) {
 /// A prism along z over the triangle (0,0), (1,0), (0,1), wound outward.
 Scene right_angled_prism() {
   Scene scene;
-  for (float z : {-1.0f, 1.0f})
-    scene.positions.insert(scene.positions.end(), {{0, 0, z}, {1, 0, z}, {0, 1, z}});
-  scene.triangle_positions = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
-                              {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+  for (float z : {-1.0f, 1.0f}) scene.positions.insert(scene.positions.end(), {{0, 0, z}, {1, 0, z}, {0, 1, z}});
+  scene.triangle_positions = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
   scene.bounds = compute_bounds(scene);
   return scene;
 }
@@ -92,14 +89,12 @@ TEST(Optics, SlabShiftsByTheBookFormula) {
     const GlassBody slab(as_glass(block({-64, -2, -64}, {64, 0, 64}), n, false));
     for (const double a_deg : {0.0, 1.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0}) {
       const double a = a_deg * kPi / 180, b = std::asin(std::sin(a) / n);
-      const dvec3 dir(std::sin(a) * 0.8, -std::cos(a), std::sin(a) * 0.6),
-          start = dvec3(0.123, 0, 0.456) - dir;
+      const dvec3 dir(std::sin(a) * 0.8, -std::cos(a), std::sin(a) * 0.6), start = dvec3(0.123, 0, 0.456) - dir;
       const Path path = slab.follow({start, dir});
       ASSERT_TRUE(path.out && path.refracted == 2 && path.reflected == 0) << n << ' ' << a_deg;
       EXPECT_LT(glm::distance(path.ray.dir, dir), 1e-12) << n << ' ' << a_deg;
       const double shift = glm::length(glm::cross(path.ray.origin - start, dir));
-      EXPECT_NEAR(shift, thickness * std::sin(a) * (1 - std::cos(a) / (n * std::cos(b))), 1e-9)
-          << n << ' ' << a_deg;
+      EXPECT_NEAR(shift, thickness * std::sin(a) * (1 - std::cos(a) / (n * std::cos(b))), 1e-9) << n << ' ' << a_deg;
       const double mirrored = fresnel_dielectric(std::cos(a), std::cos(b), 1 / double(n));
       EXPECT_NEAR(path.weight, (1 - mirrored) * (1 - mirrored), 1e-12) << "both faces reflect the same share";
     }
@@ -151,14 +146,12 @@ TEST(Optics, TrappedLightKeepsAllItsWeight) {
   const GlassBody block_of_glass(as_glass(block({-8, -1, -8}, {8, 0, 8}), 1.5f, false));
   for (const double beyond : {1e-6, 1e-9}) {
     const double a = std::asin(1 / 1.5) + beyond;
-    const Path path =
-        block_of_glass.follow({dvec3(-7.5, -0.5, 0.1), dvec3(std::sin(a), std::cos(a), 0)}, 500);
+    const Path path = block_of_glass.follow({dvec3(-7.5, -0.5, 0.1), dvec3(std::sin(a), std::cos(a), 0)}, 500);
     EXPECT_EQ(path.reflected, 500);
     EXPECT_EQ(path.weight, 1);
   }
   const double a = std::asin(1 / 1.5) - 1e-4;
-  EXPECT_EQ(block_of_glass.follow({dvec3(-7.5, -0.5, 0.1), dvec3(std::sin(a), std::cos(a), 0)}, 1).refracted,
-            1);
+  EXPECT_EQ(block_of_glass.follow({dvec3(-7.5, -0.5, 0.1), dvec3(std::sin(a), std::cos(a), 0)}, 1).refracted, 1);
 }
 
 }  // namespace

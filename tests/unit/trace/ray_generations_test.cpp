@@ -1,9 +1,10 @@
 // The queue of RayGenerations, counted from outside: a caster that sees every batch taken from it.
 
+#include "core/trace/ray_generations.h"
+
 #include <gtest/gtest.h>
 
 #include "core/trace/kd_caster.h"
-#include "core/trace/ray_generations.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
@@ -70,8 +71,7 @@ TEST(RayQueue, StaysShortHoweverManyBranchesThereAre) {
     std::vector<RayGenerations<float>::PrimaryHit> hits(kPrimary);
     generations.run(colors, hits, stats);
 
-    EXPECT_EQ(caster.taken, kPrimary * ((int64_t{2} << depth) - 1))
-        << "every branch was followed, depth " << depth;
+    EXPECT_EQ(caster.taken, kPrimary * ((int64_t{2} << depth) - 1)) << "every branch was followed, depth " << depth;
     EXPECT_EQ(caster.largest_batch, std::min(kBatch, kPrimary << depth));
     EXPECT_LE(caster.longest_queue, kPrimary + 2 * kBatch * depth) << depth;
     // While generations fit batches, steps are generations: then the queue holds one of them and no more.

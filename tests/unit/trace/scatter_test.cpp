@@ -82,8 +82,8 @@ TYPED_TEST(Scatter, FresnelsEquations) {
   EXPECT_NEAR(fresnel_dielectric<Real>(0, Real(0.5), Real(1) / Real(1.5)), 1, kTolerance<Real>);
   const double brewster = std::atan(1.5), cos_in = std::cos(brewster), cos_out = std::sin(brewster);
   const double perpendicular = (cos_in / 1.5 - cos_out) / (cos_in / 1.5 + cos_out);
-  EXPECT_NEAR(fresnel_dielectric<Real>(Real(cos_in), Real(cos_out), Real(1 / 1.5)),
-              0.5 * perpendicular * perpendicular, kTolerance<Real>);
+  EXPECT_NEAR(fresnel_dielectric<Real>(Real(cos_in), Real(cos_out), Real(1 / 1.5)), 0.5 * perpendicular * perpendicular,
+              kTolerance<Real>);
 }
 
 TYPED_TEST(Scatter, TotalInternalReflection) {
@@ -189,10 +189,8 @@ TYPED_TEST(Scatter, PlainMirrorAndSchlick) {
     EXPECT_EQ(s.refracted_weight, Vec3<Real>(0));
   }
   mirror.fresnel = Fresnel::schlick;
-  EXPECT_NEAR(scatter(mirror, floor_surface<Real>(), coming_at<Real>(0)).reflected_weight.x, 0.5,
-              kTolerance<Real>);
-  EXPECT_NEAR(scatter(mirror, floor_surface<Real>(), coming_at<Real>(1)).reflected_weight.z, 1,
-              kTolerance<Real>);
+  EXPECT_NEAR(scatter(mirror, floor_surface<Real>(), coming_at<Real>(0)).reflected_weight.x, 0.5, kTolerance<Real>);
+  EXPECT_NEAR(scatter(mirror, floor_surface<Real>(), coming_at<Real>(1)).reflected_weight.z, 1, kTolerance<Real>);
   const auto half = scatter(mirror, floor_surface<Real>(), coming_at<Real>(std::sqrt(0.75)));  // cosine 0.5
   EXPECT_NEAR(half.reflected_weight.z, std::pow(0.5, 5), kTolerance<Real>);
 }

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/passes_cpu/trace_pass.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/primary_surface.h"
-#include "core/passes_cpu/trace_pass.h"
 #include "shaders/shared.h"
 #include "tests/support/trace_scenes.h"
 

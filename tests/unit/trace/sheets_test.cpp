@@ -67,14 +67,20 @@ std::vector<Case> cases() {
   add("GroundWithOverhangs", ground(150, 0.1f, 0.05f), 0.6);
   add("GroundWithTornOutTriangles",
       edited(ground(150, 0.05f), 1, [](Random& random, uvec3&, Kept&) { return random.below(40) != 0; }), 0.4);
-  add("GroundWithTrianglesWoundTheWrongWay", edited(ground(150, 0.05f), 2, [](Random& random, uvec3& triangle, Kept&) {
-        if (random.below(40) == 0) std::swap(triangle.x, triangle.y);
-        return true;
-      }), 0.4);
-  add("GroundWithDoubledTriangles", edited(ground(150, 0.05f), 3, [](Random& random, uvec3& triangle, Kept& kept) {
-        if (random.below(40) == 0) kept.push_back(triangle);
-        return true;
-      }), 0.4);
+  add("GroundWithTrianglesWoundTheWrongWay",
+      edited(ground(150, 0.05f), 2,
+             [](Random& random, uvec3& triangle, Kept&) {
+               if (random.below(40) == 0) std::swap(triangle.x, triangle.y);
+               return true;
+             }),
+      0.4);
+  add("GroundWithDoubledTriangles",
+      edited(ground(150, 0.05f), 3,
+             [](Random& random, uvec3& triangle, Kept& kept) {
+               if (random.below(40) == 0) kept.push_back(triangle);
+               return true;
+             }),
+      0.4);
 
   Scene bodies;
   const auto add_body = [&](const Scene& body) {
@@ -86,10 +92,13 @@ std::vector<Case> cases() {
   for (int i = 0; i < 9; ++i)  // apart, so that no point of one lies inside another
     add_body(transformed(closed_sphere(90, 45), random.between(0.1f, 0.17f), vec3(i % 3, 1, i / 3) * 0.35f));
   add("ClosedBalls", bodies, 0.8);
-  add("BallsWoundInward", edited(bodies, 7, [](Random&, uvec3& triangle, Kept&) {
-        std::swap(triangle.x, triangle.y);
-        return true;
-      }), 0.8);
+  add("BallsWoundInward",
+      edited(bodies, 7,
+             [](Random&, uvec3& triangle, Kept&) {
+               std::swap(triangle.x, triangle.y);
+               return true;
+             }),
+      0.8);
   add_body(ground(100, 0.02f));
   add("BallsAboveGround", bodies, 0.8);
   add("BallsAndGroundWithCracks", edited(bodies, 5, [](Random& r, uvec3&, Kept&) { return r.below(200) != 0; }), 0.4);
@@ -102,7 +111,7 @@ std::vector<ShadowQuery> surface_queries(const Scene& scene, const dvec3& toward
   for (int i = 0; i < count; ++i) {
     const uint32_t triangle = random.below(static_cast<uint32_t>(scene.triangle_count()));
     const dvec3 a(scene.vertex(triangle, 0)), e1 = dvec3(scene.vertex(triangle, 1)) - a,
-        e2 = dvec3(scene.vertex(triangle, 2)) - a;
+                                              e2 = dvec3(scene.vertex(triangle, 2)) - a;
     const double u = i % 8 ? random.unit() : 0, v = random.unit() * (1 - u);
     dvec3 side = glm::normalize(glm::cross(e1, e2));
     const bool from_front = glm::dot(side, toward) > 0;
@@ -114,8 +123,8 @@ std::vector<ShadowQuery> surface_queries(const Scene& scene, const dvec3& toward
 }
 
 TEST(Sheets, CertificatesAreNeverWrong) {
-  const dvec3 lights[] = {{0, 1, 0},       {1, 0, 0},      {0.3, 1, -0.2}, {-1, 0.1, 0.4}, {1, 0.01, 0.3},
-                          {0.02, 1, 0.03}, {0.6, -1, 0.1}, {-1, 1, 1}};
+  const dvec3 lights[] = {{0, 1, 0},      {1, 0, 0},       {0.3, 1, -0.2}, {-1, 0.1, 0.4},
+                          {1, 0.01, 0.3}, {0.02, 1, 0.03}, {0.6, -1, 0.1}, {-1, 1, 1}};
   ThreadPool pool(2);
   for (const Case& given : cases()) {
     SCOPED_TRACE(given.name);
@@ -142,7 +151,8 @@ TEST(Sheets, CertificatesAreNeverWrong) {
         ++settled;
         const bool says_shadow = certainties[i] == ShadowCertainty::shadow;
         if (says_shadow == (occluded[i] != 0)) continue;
-        wrong += says_shadow || brute_force_occluder(scene, toward, queries[i]) != kNoTriangle;  // or it was its own triangle's rounding
+        wrong += says_shadow || brute_force_occluder(scene, toward, queries[i]) !=
+                                    kNoTriangle;  // or it was its own triangle's rounding
       }
     }
     EXPECT_EQ(wrong, 0u);

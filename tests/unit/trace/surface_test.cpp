@@ -65,16 +65,14 @@ TEST(Phong, ExponentZeroAndOppositeEye) {
 TEST(ClampedBarycentrics, FindThePointOnTheRay) {
   Random random(14);
   for (int i = 0; i < 2000; ++i) {
-    const dvec3 p[3] = {dvec3(random.in_cube(-5, 5)), dvec3(random.in_cube(-5, 5)),
-                        dvec3(random.in_cube(-5, 5))};
+    const dvec3 p[3] = {dvec3(random.in_cube(-5, 5)), dvec3(random.in_cube(-5, 5)), dvec3(random.in_cube(-5, 5))};
     dvec3 weights(random.unit(), random.unit(), random.unit());
     weights /= weights.x + weights.y + weights.z;
     const dvec3 point = weights.x * p[0] + weights.y * p[1] + weights.z * p[2];
     // How much a relative error of the ray's direction moves the weights.
     const double volume = std::abs(glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), point));
     if (!(volume > 0.1)) continue;
-    expect_near(clamped_barycentrics(p[0], p[1], p[2], double(random.between(0.1f, 9)) * point), weights,
-                1e-10);
+    expect_near(clamped_barycentrics(p[0], p[1], p[2], double(random.between(0.1f, 9)) * point), weights, 1e-10);
   }
 }
 

@@ -71,7 +71,8 @@ TEST(TextureLookup, IsBilinearAndRepeatsOrStops) {
     for (int i = 0; i < 2000; ++i) {
       const double u = random.between(-3, 4), v = random.between(-3, 4);
       EXPECT_LT(difference(texture.at(u, v), bilinear(image, u, v, clamped)), 1e-6) << u << ' ' << v;
-      EXPECT_LT(difference(dvec3(texture.in_single.texture_color(texture.record, vec2(u, v), 0)), texture.at(u, v)), 2e-4);
+      EXPECT_LT(difference(dvec3(texture.in_single.texture_color(texture.record, vec2(u, v), 0)), texture.at(u, v)),
+                2e-4);
     }
     for (const double corner : {0.0, 1.0, -1.0, 2.0, 1e6, -1e6})
       EXPECT_LT(difference(texture.at(corner, corner), bilinear(image, corner, corner, clamped)), 1e-6) << corner;

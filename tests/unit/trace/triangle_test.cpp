@@ -6,8 +6,7 @@ namespace hybridrt {
 namespace {
 
 template <typename Real>
-bool hits(const vec3& origin, const vec3& dir, const vec3& a, const vec3& b, const vec3& c,
-          TriangleHit<Real>& hit) {
+bool hits(const vec3& origin, const vec3& dir, const vec3& a, const vec3& b, const vec3& c, TriangleHit<Real>& hit) {
   return intersect_triangle(shear_ray(Vec3<Real>(origin), Vec3<Real>(dir)), a, b, c, hit);
 }
 

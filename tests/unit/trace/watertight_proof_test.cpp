@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-#include "tests/support/closed_mesh.h"
 #include "core/procedural/chess.h"
 #include "core/trace/kd_caster.h"
+#include "tests/support/closed_mesh.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
@@ -47,8 +47,7 @@ std::vector<Inside> points_inside(const Scene& scene, const std::vector<uint32_t
     const uint32_t t = random.below(static_cast<uint32_t>(scene.triangle_count()));
     const dvec3 a(scene.vertex(t, 0)), b(scene.vertex(t, 1)), c(scene.vertex(t, 2));
     const dvec3 normal = glm::cross(b - a, c - a), middle = (a + b + c) / 3.0;
-    Inside inside{
-        middle - 0.2 / std::sqrt(glm::length(normal)) * normal, body_of[scene.triangle_positions[t].x], {}};
+    Inside inside{middle - 0.2 / std::sqrt(glm::length(normal)) * normal, body_of[scene.triangle_positions[t].x], {}};
     Scene body;
     body.positions = scene.positions;
     for (uint32_t other = 0; other < scene.triangle_count(); ++other)

@@ -40,8 +40,7 @@ std::vector<Ray<float>> axis_rays(const Scene& scene, const vec3& center, float 
       if (other == axis) continue;
       ray.origin[other] += spread * random.between(-1, 1);
       // Through a vertex, where that stays inside.
-      if (random.below(2) && std::abs(vertex[other] - center[other]) < spread)
-        ray.origin[other] = vertex[other];
+      if (random.below(2) && std::abs(vertex[other] - center[other]) < spread) ray.origin[other] = vertex[other];
     }
     rays.push_back(ray);
   }
@@ -69,10 +68,8 @@ std::vector<Placed> closed_scenes() {
   std::vector<Placed> scenes;
   for (const float scale : {1.0f, 1e-4f, 1e6f, 1e-15f, 1e12f})
     for (const vec3& offset : {vec3(0), vec3(0.1f, -3, 7), vec3(1000, 333, -77)}) {
-      scenes.push_back(
-          {transformed(closed_box(), scale, scale * offset), scale * (vec3(0.5f) + offset), 0.3f * scale});
-      scenes.push_back(
-          {transformed(closed_sphere(64, 32), scale, scale * offset), scale * offset, 0.3f * scale});
+      scenes.push_back({transformed(closed_box(), scale, scale * offset), scale * (vec3(0.5f) + offset), 0.3f * scale});
+      scenes.push_back({transformed(closed_sphere(64, 32), scale, scale * offset), scale * offset, 0.3f * scale});
     }
   return scenes;
 }
