@@ -1,77 +1,64 @@
 #include "cli/camera_options.h"
 
-#include "cli/option_values.h"
-#include "core/load/scene_file.h"
-#include "core/procedural/procedural.h"
+#include "core/base/error.h"
+#include "core/load/camera_json.h"
 
 namespace hybridrt::cli {
 namespace {
 
-constexpr double kDefaultFov_deg = 45;
-
-double fov_y_rad(const RenderOptions& o) {
-  const double degrees = o.fov_deg.value_or(kDefaultFov_deg);
-  if (!(degrees > 0 && degrees < 180))
-    throw error(ErrorKind::usage, "--fov {}: allowed is more than 0 and less than 180 degrees", degrees);
-  return degrees * kPi / 180;
-}
-
 /// --eye, --target, --up; `middle` is what to look at when nothing is said.
 Camera still_camera(const RenderOptions& o, UpAxis up_axis, const dvec3& middle, Warnings& warnings) {
   Camera still;
-  still.eye_world = y_up_from_files(up_axis, parse_vector("--eye", o.eye));
-  still.target_world = o.target.empty() ? middle : y_up_from_files(up_axis, parse_vector("--target", o.target));
-  if (!o.up.empty()) still.up = y_up_from_files(up_axis, parse_vector("--up", o.up));
+  still.eye_world = y_up_from_files(up_axis, *o.eye);
+  still.target_world = o.target ? y_up_from_files(up_axis, *o.target) : middle;
+  if (o.up) still.up = y_up_from_files(up_axis, *o.up);
   if (still.eye_world == still.target_world)
     throw error(ErrorKind::usage, "--eye and --target are the same point; move one of them");
-  if (still.up == dvec3(0)) throw error(ErrorKind::usage, "--up {}: it must not be zero", o.up);
   if (up_is_along_view(still)) warnings.push_back("the camera looks along its up direction; another up is used");
   return still;
 }
 
-void set_fov(CameraCourse& course, double fov) {
-  if (auto* still = std::get_if<Camera>(&course)) still->fov_y_rad = fov;
-  if (auto* orbit = std::get_if<Orbit>(&course)) orbit->fov_y_rad = fov;
+void set_fov(CameraCourse& course, double fov_y_rad) {
+  if (auto* still = std::get_if<Camera>(&course)) still->fov_y_rad = fov_y_rad;
+  if (auto* orbit = std::get_if<Orbit>(&course)) orbit->fov_y_rad = fov_y_rad;
   if (auto* path = std::get_if<CameraPath>(&course))
-    for (CameraKey& key : path->keys) key.camera.fov_y_rad = fov;
+    for (CameraKey& key : path->keys) key.camera.fov_y_rad = fov_y_rad;
+}
+
+void require_one_camera(const RenderOptions& o) {
+  if (!o.eye && (o.target || o.up))
+    throw error(ErrorKind::usage, "--target and --up describe a still camera; give --eye X,Y,Z too");
+  if (!o.camera.empty() && o.eye)
+    throw error(ErrorKind::usage, "--camera and --eye both say where the camera is; give one of them");
+}
+
+/// The camera that somebody names, if anybody does.
+std::optional<CameraCourse> named_course(const RenderOptions& o, const SceneSource& source, const RenderJob& job,
+                                         UpAxis up_axis, double aspect, double fov_y_rad, Warnings& warnings) {
+  if (!o.camera.empty()) return read_camera_file(o.camera, up_axis, warnings);
+  if (!o.eye) return camera_of(source, up_axis, warnings);
+  Camera still = still_camera(o, up_axis, default_orbit(job.scene, aspect, fov_y_rad).target_world, warnings);
+  return still;
 }
 
 }  // namespace
 
-CameraCourse make_course(const RenderOptions& o, RenderJob& job, UpAxis up_axis, Surroundings& surroundings,
-                         ThreadPool& pool, Warnings& warnings) {
-  const double fov = fov_y_rad(o);
-  std::optional<CameraCourse> of_scene;
-  if (o.camera.empty() && o.eye.empty() && is_scene_file(o.scene))
-    of_scene = read_scene_file_camera(o.scene, {up_axis, fov}, warnings);
-  if (o.eye.empty() && !(o.target.empty() && o.up.empty()))
-    throw error(ErrorKind::usage, "--target and --up describe a still camera; give --eye X,Y,Z too");
-  if (!o.camera.empty() && !o.eye.empty())
-    throw error(ErrorKind::usage, "--camera and --eye both say where the camera is; give one of them");
-  CameraCourse course;
-  if (!o.camera.empty()) {
-    course = read_camera_file(o.camera, {up_axis, fov}, warnings);
-  } else if (of_scene) {
-    course = *of_scene;
+ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, const RenderJob& job, UpAxis up_axis,
+                           ThreadPool& pool, Warnings& warnings) {
+  require_one_camera(o);
+  const double fov_y_rad = o.fov_y_rad.value_or(Camera().fov_y_rad);
+  const double aspect = static_cast<double>(job.settings.width_px) / job.settings.height_px;
+  ChosenCamera chosen;
+  if (auto named = named_course(o, source, job, up_axis, aspect, fov_y_rad, warnings)) {
+    chosen.course = std::move(*named);
   } else {
-    const double aspect = static_cast<double>(job.settings.width_px) / job.settings.height_px;
-    const SceneShot shot = shot_of(o.scene);
-    if (o.eye.empty() && shot.camera) {
-      course = orbit_through(*shot.camera);
-      if (o.fov_deg) set_fov(course, fov);
-      return course;
-    }
-    if (o.eye.empty()) {
-      job.caster = make_scene_caster(job.scene, job.accel, pool);
-      const DefaultView view = choose_default_view(job.scene, *job.caster.caster, aspect, fov);
-      surroundings = view.surroundings;
-      course = view.orbit;
-    } else {
-      course = still_camera(o, up_axis, default_orbit(job.scene, aspect, fov).target_world, warnings);
-    }
+    chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
+    const DefaultView view = choose_default_view(job.scene, *chosen.caster.caster, aspect, fov_y_rad);
+    chosen.surroundings = view.surroundings;
+    chosen.course = view.orbit;
   }
-  if (o.fov_deg || !o.eye.empty()) set_fov(course, fov);
-  return course;
+  if (o.fov_y_rad) set_fov(chosen.course, fov_y_rad);
+  return chosen;
 }
 
 }  // namespace hybridrt::cli

@@ -1,10 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fmt/format.h>
+#include <memory>
 
 #include "cli/commands.h"
+#include "cli/job.h"
 #include "cli/parse_message.h"
-#include "cli/render_options.h"
 #include "core/base/output_file.h"
 #include "core/base/timing.h"
 #include "core/golden/golden.h"
@@ -33,20 +34,29 @@ fs::path default_list() {
   return fs::exists(installed) ? installed : here;
 }
 
+/// What renders a case.
+struct CaseJob {
+  std::unique_ptr<ThreadPool> pool;
+  RenderJob job;
+};
+
 /// The one frame of a case. What is wrong with its options or its scene is the list's fault: Error(input).
-RenderJob make_case_job(const GoldenCase& golden) {
-  RenderOptions options;
+CaseJob make_case_job(const GoldenCase& golden) {
+  RenderOptions command_line;
   CLI::App parser;
-  add_render_options(parser, options);
+  add_render_options(parser, command_line);
   std::vector<std::string> arguments(golden.options.rbegin(), golden.options.rend());  // CLI11 takes them backwards
   arguments.push_back(golden.scene);
   try {
     parser.parse(arguments);
+    const SceneSource source = parse_scene_source(command_line.scene);
+    const RenderOptions options = with_scene_settings(command_line, source);
+    CaseJob made{std::make_unique<ThreadPool>(thread_count(options)), {}};
     Warnings warnings;
-    RenderJob job = make_render_job(options, warnings);
-    if (job.frames.count() != 1)
-      throw error(ErrorKind::input, "{} frames; say which one, like --frames 5-5", job.frames.count());
-    return job;
+    made.job = make_render_job(options, source, *made.pool, warnings);
+    if (made.job.frames.count() != 1)
+      throw error(ErrorKind::input, "{} frames; say which one, like --frames 5-5", made.job.frames.count());
+    return made;
   } catch (const CLI::ParseError& problem) {
     throw error(ErrorKind::input, "golden case '{}': {}", golden.name, parse_message(parser, problem));
   } catch (const Error& problem) {
@@ -54,10 +64,11 @@ RenderJob make_case_job(const GoldenCase& golden) {
   }
 }
 
-Image picture_of(const RenderJob& job) {
+Image picture_of(const CaseJob& made) {
   Image picture;
+  const auto keep = [&](Frame&& frame) { picture = std::move(frame.picture); };
   run(
-      job, [](const RunFacts&) {}, [] { return false; }, [&](Frame&& frame) { picture = std::move(frame.picture); });
+      made.job, *made.pool, [](const RunFacts&) {}, [] { return false; }, keep);
   return picture;
 }
 
@@ -71,7 +82,7 @@ GoldenResult check(const GoldenList& list, const GoldenCase& golden, const fs::p
   GoldenResult result;
   result.golden = golden;
   const Stopwatch stopwatch;
-  const RenderJob job = make_case_job(golden);
+  const CaseJob job = make_case_job(golden);
   try {
     const fs::path actual = output / (golden.name + ".png");
     write_picture(actual, picture_of(job));

@@ -10,25 +10,24 @@
 namespace hybridrt::cli {
 namespace {
 
-ExitCode inspect(const RenderOptions& options, bool as_json) {
+ExitCode inspect(const RenderOptions& command_line, bool as_json) {
+  const SceneSource source = parse_scene_source(command_line.scene);
+  const RenderOptions options = with_scene_settings(command_line, source);
+  ThreadPool pool(thread_count(options));
   Inspection found;
-  found.scene = options.scene;
-  found.job = load_showing_progress(options, found.warnings, as_json);
+  found.scene = source.argument;
+  found.job = load_showing_progress(options, source, pool, found.warnings, as_json);
   const RenderJob& job = found.job;
-
-  ThreadPool pool(job.threads);
-  found.topology = build_topology(job.scene, pool);
-  topology_warnings(job.scene, found.topology, found.warnings);
+  topology_warnings(job.scene, job.topology, found.warnings);
   found.material_triangles.resize(job.scene.materials.size());
   for (uint32_t material : job.scene.triangle_materials) ++found.material_triangles[material];
 
-  const SceneFacts facts = make_scene_facts(job.scene);
   const int first = *FrameCursor(job.frames).next();
-  found.plan = make_frame_plan(job.scene, facts, frame_request(job, first), job.settings);
+  found.plan = make_frame_plan(job.scene, job.facts, frame_request(job, first), job.settings);
   const bool moves = lights_move(job.lights, job.motion);
-  found.steps = explain_plan(found.plan, facts, job.settings, job.accel, moves);
-  found.memory = estimate_memory(job.scene, facts, job.settings, job.accel, job.lights.lights.size(), moves,
-                                 job.threads, job.frames.count());
+  found.steps = explain_plan(found.plan, job.facts, job.settings, moves);
+  found.memory = estimate_memory(job.scene, job.facts, job.topology, job.settings, job.lights.lights.size(), moves,
+                                 pool.size(), job.frames.count());
 
   using Handler = nlohmann::ordered_json::error_handler_t;
   fmt::print("{}",

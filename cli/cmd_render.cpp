@@ -103,21 +103,16 @@ class SheetCollector {
   std::vector<Image> cells_;
 };
 
-/// Files may hold anything; what is made on the spot is known to be manifold.
-void warn_of_topology(const RenderJob& job, Warnings& warnings) {
-  if (job.scene.files.empty() && !refracts(job.scene)) return;
-  ThreadPool pool(job.threads);
-  topology_warnings(job.scene, build_topology(job.scene, pool), warnings);
-}
-
 ExitCode render(const RenderOptions& command_line, const OutputOptions& output) {
   catch_signals();
   Warnings warnings;
   RunTotals totals;
   const Stopwatch loading;
-  const RenderOptions options = with_scene_settings(command_line);
-  const RenderJob job = load_showing_progress(options, warnings, output.quiet || output.json);
-  warn_of_topology(job, warnings);
+  const SceneSource source = parse_scene_source(command_line.scene);
+  const RenderOptions options = with_scene_settings(command_line, source);
+  ThreadPool pool(thread_count(options));
+  const RenderJob job = load_showing_progress(options, source, pool, warnings, output.quiet || output.json);
+  topology_warnings(job.scene, job.topology, warnings);
   totals.load_ms = loading.elapsed_ms();
   FileClaims claims;
   const OutputPaths paths = prepare_output(output, options, job, claims, warnings);
@@ -127,12 +122,12 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   const uint64_t scene_print = fingerprint(job.scene);
   SheetCollector sheet(job.frames.count());
   TimingsCsv timings(paths.timings);
-  FileSink sink(encode_image_file, job.threads, static_cast<size_t>(2 * job.threads));
+  FileSink sink(encode_image_file, pool.size(), static_cast<size_t>(2 * pool.size()));
 
   const bool layered = keeps_layers(output_path(paths.pattern, job.frames.lowest()).string());
   Stopwatch rendering;
   const RunFacts facts = run(
-      job,
+      job, pool,
       [&](const RunFacts& so_far) {
         reporter.start(options, job, so_far);
         rendering.restart();
@@ -168,9 +163,9 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   totals.sum[PassId::write] = timings.written_ms();
   if (!output.contact_sheet.empty() && totals.frames > 0) sink.submit(output.contact_sheet, sheet.sheet());
   sink.drain();
-  write_file_atomically(
-      paths.report,
-      run_report(options, job, facts, totals, warnings).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  write_file_atomically(paths.report, run_report(options, job, pool.size(), facts, totals, warnings)
+                                              .dump(2, ' ', false, json::error_handler_t::replace) +
+                                          "\n");
 
   reporter.end(totals, stop_requested());
   if (!output.json && !output.quiet && paths.timings != "-") {

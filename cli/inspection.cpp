@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "core/base/shortest.h"
+
 namespace hybridrt::cli {
 namespace {
 
@@ -13,11 +15,8 @@ using json = nlohmann::ordered_json;
 
 constexpr size_t kMostComponents = 100;
 
-/// With the digits that a float has: 0.1, not 0.10000000149.
-double shortest(float number) { return std::stod(fmt::format("{}", number)); }
-
 json array_of(const dvec3& v) { return {v.x, v.y, v.z}; }
-json array_of(const vec3& v) { return {shortest(v.x), shortest(v.y), shortest(v.z)}; }
+json array_of(const vec3& v) { return {shortest_double(v.x), shortest_double(v.y), shortest_double(v.z)}; }
 
 json materials_json(const Inspection& in) {
   json all = json::array();
@@ -30,9 +29,9 @@ json materials_json(const Inspection& in) {
                    {"ks", array_of(m.ks)},
                    {"ke", array_of(m.ke)},
                    {"tf", array_of(m.tf)},
-                   {"ns", shortest(m.ns)},
-                   {"ni", shortest(m.ni)},
-                   {"d", shortest(m.opacity)},
+                   {"ns", shortest_double(m.ns)},
+                   {"ni", shortest_double(m.ni)},
+                   {"d", shortest_double(m.opacity)},
                    {"triangles", in.material_triangles[i]}});
   }
   return all;
@@ -89,7 +88,7 @@ json frame_json(const Inspection& in) {
 
 json inspection_json(const Inspection& in) {
   const Scene& scene = in.job.scene;
-  const Topology& t = in.topology;
+  const Topology& t = in.job.topology;
   const dvec3 lo(scene.bounds.lo), hi(scene.bounds.hi);
   const bool limited = in.job.most_bytes < std::numeric_limits<uint64_t>::max();
   const json allowed = limited ? json(in.job.most_bytes) : json();
@@ -120,7 +119,7 @@ json inspection_json(const Inspection& in) {
         {"frames", in.memory.frames},
         {"pictures", in.memory.pictures},
         {"accelerator", in.memory.accelerator},
-        {"topology", memory_bytes(t)},
+        {"topology", in.memory.topology},
         {"total", in.memory.total()},
         {"allowed", allowed}}},
       {"frame", frame_json(in)}};

@@ -5,10 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/render_options.h"
+#include "core/base/warnings.h"
 #include "core/mesh/topology.h"
 #include "core/render/memory_estimate.h"
 #include "core/render/plan_notes.h"
+#include "core/render/render_job.h"
 
 namespace hybridrt::cli {
 
@@ -17,7 +18,6 @@ struct Inspection {
   std::string scene;  ///< as it was asked for
   RenderJob job;
   Warnings warnings;
-  Topology topology;
   FramePlan plan;
   std::vector<StepNote> steps;
   MemoryEstimate memory;

@@ -126,6 +126,7 @@ std::string memory_text(const Inspection& in) {
     if (bytes > 0) out += fmt::format("  {:<22}{:>12}\n", what, size_text(bytes));
   };
   line("scene", m.scene);
+  line("topology", m.topology);
   line("scene on the GPU", m.gpu_scene);
   line("frames on the GPU", m.gpu_frames);
   line("frames", m.frames);
@@ -158,7 +159,7 @@ std::string frame_text(const Inspection& in) {
 }  // namespace
 
 std::string inspection_text(const Inspection& in) {
-  return loaded_text(in) + warnings_text(in.warnings) + topology_text(in.topology) + materials_text(in) +
+  return loaded_text(in) + warnings_text(in.warnings) + topology_text(in.job.topology) + materials_text(in) +
          memory_text(in) + frame_text(in);
 }
 

@@ -1,47 +1,56 @@
 #include "cli/light_options.h"
 
 #include <algorithm>
+#include <optional>
 
-#include "cli/option_values.h"
+#include "core/base/error.h"
 
 namespace hybridrt::cli {
+namespace {
 
-size_t light_count(const RenderOptions& o, const std::optional<std::vector<DirectionalLight>>& of_scene) {
-  return o.light.empty() && of_scene ? of_scene->size() : 1;
+/// Unit, of any length: squares overflow.
+dvec3 unit(const dvec3& v) { return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); }
+
+/// Before the camera moves any of them.
+std::vector<DirectionalLight> still_lights(const RenderOptions& o, const SceneSource& source, const Camera& first,
+                                           const vec3& ambient, UpAxis up_axis, Surroundings surroundings) {
+  if (!o.light && source.lights) {
+    std::vector<DirectionalLight> lights = *source.lights;
+    for (DirectionalLight& light : lights) light.toward = y_up_from_files(up_axis, light.toward);
+    return lights;
+  }
+  DirectionalLight light = default_light(surroundings, first, ambient);
+  if (source.lights && !source.lights->empty()) light.color = source.lights->front().color;
+  if (o.light) {
+    light.casts_shadow = true;
+    light.toward = unit(y_up_from_files(up_axis, *o.light));
+  }
+  return {light};
 }
 
-LightMotion make_lights(const RenderOptions& o, const RenderJob& job, UpAxis up_axis,
-                        const std::optional<std::vector<DirectionalLight>>& of_scene, Surroundings surroundings,
-                        Warnings& warnings) {
-  const int first = job.motion.sequence.first;
-  const auto* path = std::get_if<CameraPath>(&job.motion.course);
-  const std::optional<dvec3> keyed = path ? light_on_path(*path, first) : std::nullopt;
+}  // namespace
+
+size_t light_count(const RenderOptions& o, const SceneSource& source) {
+  return !o.light && source.lights ? source.lights->size() : 1;
+}
+
+LightMotion choose_lights(const RenderOptions& o, const SceneSource& source, const CameraMotion& camera,
+                          const vec3& ambient, UpAxis up_axis, Surroundings surroundings, Warnings& warnings) {
+  const int first = camera.sequence.first;
+  const auto* path = std::get_if<CameraPath>(&camera.course);
+  const std::optional<dvec3> keyed = path && !o.light ? light_on_path(*path, first) : std::nullopt;
   LightMotion motion;
-  if (o.light.empty() && of_scene) {
-    motion.lights = *of_scene;
-    for (DirectionalLight& light : motion.lights) light.toward = y_up_from_files(up_axis, light.toward);
-  } else {
-    motion.lights = {default_light(surroundings, camera_at(job.motion, first), job.settings.ambient)};
-    if (of_scene && !of_scene->empty()) motion.lights[0].color = of_scene->front().color;
-    if (!o.light.empty() || keyed) motion.lights[0].casts_shadow = true;
-  }
-  if (!o.light.empty()) {
-    const dvec3 toward = parse_vector("--light", o.light);
-    if (toward == dvec3(0)) throw error(ErrorKind::usage, "--light {}: it must not be zero", o.light);
-    const double largest = std::max({std::abs(toward.x), std::abs(toward.y), std::abs(toward.z)});
-    // Any length: squares overflow.
-    motion.lights[0].toward = glm::normalize(y_up_from_files(up_axis, toward / largest));
-  } else if (keyed && motion.lights.empty()) {
+  motion.lights = still_lights(o, source, camera_at(camera, first), ambient, up_axis, surroundings);
+  if (keyed && motion.lights.empty()) {
     warnings.push_back("the camera path's keys move the first light, but the scene's list of lights is empty");
   } else if (keyed) {
     motion.lights[0].toward = *keyed;
+    if (!source.lights) motion.lights[0].casts_shadow = true;
     motion.mode = LightMode::with_path;
-  } else if (!of_scene && surroundings == Surroundings::inside) {
+  } else if (!o.light && !source.lights && surroundings == Surroundings::inside) {
     motion.mode = LightMode::with_camera;
   }
-  if (o.light_follows.empty()) return motion;
-  if (o.light_follows != "camera")
-    throw error(ErrorKind::usage, "--light-follows {}: not known; one of camera", o.light_follows);
+  if (!o.light_follows_camera) return motion;
   if (motion.mode == LightMode::with_path)
     throw error(ErrorKind::usage,
                 "--light-follows camera: the camera path's keys move the light already; replace it by --light X,Y,Z");

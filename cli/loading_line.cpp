@@ -59,11 +59,13 @@ class LoadingLine {
 
 }  // namespace
 
-RenderJob load_showing_progress(const RenderOptions& options, Warnings& warnings, bool quiet) {
+RenderJob load_showing_progress(const RenderOptions& options, const SceneSource& source, ThreadPool& pool,
+                                Warnings& warnings, bool quiet) {
   LoadProgress progress;
   std::optional<LoadingLine> line;
-  if (!quiet && isatty(STDERR_FILENO)) line.emplace(std::filesystem::path(options.scene).filename().string(), progress);
-  return make_render_job(options, warnings, &progress);
+  if (!quiet && isatty(STDERR_FILENO))
+    line.emplace(std::filesystem::path(source.argument).filename().string(), progress);
+  return make_render_job(options, source, pool, warnings, &progress);
 }
 
 }  // namespace hybridrt::cli

@@ -5,13 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/memory.h"
-
 namespace hybridrt::cli {
 namespace {
-
-const std::map<std::string, uint32_t> kAovs = {{"id", kAovId},         {"shadow", kAovShadow}, {"marked", kAovMarked},
-                                               {"traced", kAovTraced}, {"depth", kAovDepth},   {"normal", kAovNormal}};
 
 template <typename Number>
 bool parse_number(std::string_view text, Number& out) {
@@ -20,6 +15,20 @@ bool parse_number(std::string_view text, Number& out) {
 }
 
 }  // namespace
+
+int parse_whole(const char* option, const std::string& text, int lowest, int highest) {
+  int value = 0;
+  if (!parse_number(text, value) || value < lowest || value > highest)
+    throw error(ErrorKind::usage, "{} {}: must be a whole number, {} to {}", option, text, lowest, highest);
+  return value;
+}
+
+double parse_fov(const char* option, const std::string& text) {
+  double degrees = 0;
+  if (!parse_number(text, degrees) || !(degrees > 0 && degrees < 180))
+    throw error(ErrorKind::usage, "{} {}: must be more than 0 and less than 180 degrees", option, text);
+  return degrees * kPi / 180;
+}
 
 dvec3 parse_vector(const char* option, const std::string& text) {
   dvec3 v(0);
@@ -32,18 +41,25 @@ dvec3 parse_vector(const char* option, const std::string& text) {
   return v;
 }
 
-void parse_size(const std::string& text, RenderSettings& settings) {
+dvec3 parse_direction(const char* option, const std::string& text) {
+  const dvec3 v = parse_vector(option, text);
+  if (v == dvec3(0)) throw error(ErrorKind::usage, "{} {}: it must not be zero", option, text);
+  return v;
+}
+
+void parse_size(const char* option, const std::string& text, RenderSettings& settings) {
   const size_t cross = text.find('x');
   int width = 0, height = 0;
   if (cross == std::string::npos || !parse_number(std::string_view(text).substr(0, cross), width) ||
       !parse_number(std::string_view(text).substr(cross + 1), height) || width < 1 || height < 1 ||
       width > kLargestSide_px || height > kLargestSide_px)
-    throw error(ErrorKind::usage, "--size {}: write WIDTHxHEIGHT, each 1 to {}, like 1024x768", text, kLargestSide_px);
+    throw error(ErrorKind::usage, "{} {}: write WIDTHxHEIGHT, each 1 to {}, like 1024x768", option, text,
+                kLargestSide_px);
   settings.width_px = width;
   settings.height_px = height;
 }
 
-void parse_crop(const std::string& text, RenderSettings& settings) {
+PixelRect parse_crop(const char* option, const std::string& text) {
   int numbers[4] = {};
   std::string_view rest = text;
   bool good = true;
@@ -52,30 +68,21 @@ void parse_crop(const std::string& text, RenderSettings& settings) {
     good = comma != rest.npos && parse_number(rest.substr(0, comma), numbers[i]);
     if (good && i < 3) rest.remove_prefix(comma + 1);
   }
-  if (!good) throw error(ErrorKind::usage, "--crop {}: write X,Y,W,H in pixels, like 100,50,320,240", text);
-  const PixelRect crop{numbers[0], numbers[1], numbers[2], numbers[3]};
-  if (crop.x_px < 0 || crop.y_px < 0 || crop.width_px < 1 || crop.height_px < 1 ||
-      crop.x_px > settings.width_px - crop.width_px || crop.y_px > settings.height_px - crop.height_px)
-    throw error(ErrorKind::usage, "--crop {}: it must lie inside the frame of {}x{} pixels", text, settings.width_px,
-                settings.height_px);
-  settings.crop = crop;
+  if (!good) throw error(ErrorKind::usage, "{} {}: write X,Y,W,H in pixels, like 100,50,320,240", option, text);
+  return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-uint32_t parse_aovs(const std::string& text) {
+uint32_t parse_aovs(const char* option, const std::string& text) {
   uint32_t bits = 0;
   for (size_t begin = 0; !text.empty() && begin <= text.size();) {
     const size_t end = std::min(text.find(',', begin), text.size());
-    const std::string name = text.substr(begin, end - begin);
-    const auto found = kAovs.find(name);
-    if (found == kAovs.end()) throw error(ErrorKind::usage, "--aov {}: not known; any of {}", name, names(kAovs));
-    bits |= found->second;
+    bits |= parse_name(option, kAovs, text.substr(begin, end - begin));
     begin = end + 1;
   }
   return bits;
 }
 
-uint64_t parse_max_memory(const std::string& text) {
-  if (text.empty()) return allowed_memory();
+uint64_t parse_bytes(const char* option, const std::string& text) {
   if (text == "none") return std::numeric_limits<uint64_t>::max();
   constexpr std::string_view kUnits = "KMGT";
   double bytes = 0;
@@ -88,14 +95,14 @@ uint64_t parse_max_memory(const std::string& text) {
     if (rest == "B" || rest == "iB") rest = {};
   }
   if (status != std::errc() || !rest.empty() || !(bytes >= 1 && bytes < 1e18))
-    throw error(ErrorKind::usage, "--max-memory {}: write a number with K, M, G or T behind it, like 8G, or none",
-                text);
+    throw error(ErrorKind::usage, "{} {}: write a number with K, M, G or T behind it, like 8G, or none", option, text);
   return static_cast<uint64_t>(bytes);
 }
 
-void require_range(const char* option, long long value, long long lowest, long long highest) {
-  if (value < lowest || value > highest)
-    throw error(ErrorKind::usage, "{} {}: allowed are {} to {}", option, value, lowest, highest);
+bool parse_flag(const char* option, const std::string& text) {
+  if (text != "true" && text != "false")
+    throw error(ErrorKind::usage, "{} {}: it takes no value; in a file write true or false", option, text);
+  return text == "true";
 }
 
 }  // namespace hybridrt::cli

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <functional>
-#include <map>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/named.h"
 #include "core/render/settings.h"
 
 namespace hybridrt::cli {
@@ -13,40 +12,38 @@ namespace hybridrt::cli {
 
 constexpr int kLargestSide_px = 65536;
 
+/// A whole number from `lowest` to `highest`.
+int parse_whole(const char* option, const std::string& text, int lowest, int highest);
+
+/// Degrees, more than 0 and less than 180, as radians.
+double parse_fov(const char* option, const std::string& text);
+
 /// Three finite numbers between commas.
 dvec3 parse_vector(const char* option, const std::string& text);
 
-/// WIDTHxHEIGHT into `settings`.
-void parse_size(const std::string& text, RenderSettings& settings);
+/// The same, not all zero.
+dvec3 parse_direction(const char* option, const std::string& text);
 
-/// X,Y,W,H into `settings`, whose size is already known.
-void parse_crop(const std::string& text, RenderSettings& settings);
+/// WIDTHxHEIGHT into `settings`.
+void parse_size(const char* option, const std::string& text, RenderSettings& settings);
+
+/// X,Y,W,H. Whether it lies inside the frame is for finished_settings() to say.
+PixelRect parse_crop(const char* option, const std::string& text);
 
 /// Names between commas; the bits of kAovId and so on.
-uint32_t parse_aovs(const std::string& text);
+uint32_t parse_aovs(const char* option, const std::string& text);
 
-/// Bytes: a number and K, M, G or T (of 1024), with or without B or iB behind it. "none" is no limit, nothing what the
-/// machine or its cgroup has.
-uint64_t parse_max_memory(const std::string& text);
+/// Bytes: a number and K, M, G or T (of 1024), with or without B or iB behind it. "none" is no limit.
+uint64_t parse_bytes(const char* option, const std::string& text);
 
-void require_range(const char* option, long long value, long long lowest, long long highest);
+/// "true" or "false".
+bool parse_flag(const char* option, const std::string& text);
 
-template <typename Value>
-std::string names(const std::map<std::string, Value>& table) {
-  std::string list;
-  for (const auto& [name, value] : table) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
-/// Reads the value by name; CLI11's own messages would show C++ type names.
-template <typename Value>
-std::function<void(const std::string&)> by_name(const char* option, const std::map<std::string, Value>& table,
-                                                Value& out) {
-  return [option, &table, &out](const std::string& text) {
-    const auto found = table.find(text);
-    if (found == table.end()) throw error(ErrorKind::usage, "{} {}: not known; one of {}", option, text, names(table));
-    out = found->second;
-  };
+/// One of the table's names.
+template <typename Value, size_t N>
+Value parse_name(const char* option, const Named<Value> (&table)[N], const std::string& text) {
+  if (const auto value = value_in(table, text)) return *value;
+  throw error(ErrorKind::usage, "{} {}: not known; must be one of {}", option, text, names_in(table));
 }
 
 }  // namespace hybridrt::cli

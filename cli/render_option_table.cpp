@@ -1,127 +1,151 @@
-#include <CLI/CLI.hpp>
+#include "cli/render_option_table.h"
+
+#include <fmt/format.h>
 
 #include "cli/option_values.h"
-#include "cli/render_options.h"
 
 namespace hybridrt::cli {
 namespace {
 
-const std::map<std::string, Method> kMethods = {{"hybrid", Method::hybrid},
-                                                {"raster", Method::raster},
-                                                {"raytrace", Method::raytrace},
-                                                {"reference", Method::reference}};
-const std::map<std::string, ShadowWarp> kWarps = {{"uniform", ShadowWarp::uniform}, {"lispsm", ShadowWarp::lispsm}};
-const std::map<std::string, Accel> kAccels = {{"kdtree", Accel::kdtree}, {"embree", Accel::embree}};
-const std::map<std::string, gl::Binding> kBindings = {
+constexpr Named<gl::Binding> kBindings[] = {
     {"auto", gl::Binding::any}, {"egl", gl::Binding::egl}, {"osmesa", gl::Binding::osmesa}};
+enum class LightFollows { camera };
+constexpr Named<LightFollows> kLightFollows[] = {{"camera", LightFollows::camera}};
+
+using Options = RenderOptions;
+using Text = const std::string&;
+
+/// An option whose value is taken as it is.
+RenderOption text(const char* name, const char* value, const char* group, const char* help,
+                  std::string Options::*member) {
+  return {name, value, group, help, [member](Options& o, Text t) { o.*member = t; }};
+}
+
+/// A whole number among the settings.
+RenderOption number(const char* name, const char* value, const char* group, const char* help,
+                    int RenderSettings::*member, int lowest, int highest) {
+  return {name, value, group, fmt::format("{}, {} to {} (default {})", help, lowest, highest, RenderSettings().*member),
+          [=](Options& o, Text t) { o.settings.*member = parse_whole(name, t, lowest, highest); }};
+}
+
+/// One of a setting's names.
+template <typename Value, size_t N>
+RenderOption choice(const char* name, const char* value, const char* group, const std::string& help,
+                    Value RenderSettings::*member, const Named<Value> (&table)[N]) {
+  return {name, value, group, fmt::format("{} (default {})", help, name_in(table, RenderSettings().*member)),
+          [=, &table](Options& o, Text t) { o.settings.*member = parse_name(name, table, t); }};
+}
+
+void append(std::vector<RenderOption>& table, std::vector<RenderOption> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(table));
+}
+
+std::vector<RenderOption> camera_and_light() {
+  const char* group = "Camera and light";
+  const double fov_deg = Camera().fov_y_rad * 180 / kPi;
+  return {
+      {"--up-axis", "AXIS", group,
+       fmt::format("Which axis of the scene's files points up: {} (default {}). Cameras and lights are given in the "
+                   "files' axes too",
+                   names_in(kUpAxes), name_in(kUpAxes, UpAxis())),
+       [](Options& o, Text t) { o.up_axis = parse_name("--up-axis", kUpAxes, t); }},
+      text("--camera", "FILE", group, "Camera path: keyframes or an orbit, as JSON", &Options::camera),
+      {"--eye", "X,Y,Z", group, "Still camera: where it stands (default: an orbit)",
+       [](Options& o, Text t) { o.eye = parse_vector("--eye", t); }},
+      {"--target", "X,Y,Z", group, "Still camera: what it looks at (default: the scene's middle)",
+       [](Options& o, Text t) { o.target = parse_vector("--target", t); }},
+      {"--up", "X,Y,Z", group, "Still camera: which way is up (default 0,1,0)",
+       [](Options& o, Text t) { o.up = parse_direction("--up", t); }},
+      {"--fov", "DEG", group, fmt::format("Vertical field of view, replaces a camera path's (default {:g})", fov_deg),
+       [](Options& o, Text t) { o.fov_y_rad = parse_fov("--fov", t); }},
+      {"--light", "X,Y,Z", group,
+       "Direction toward the light, any length (default: from above, left of and behind the first camera); replaces "
+       "all lights of the scene and of a camera path",
+       [](Options& o, Text t) { o.light = parse_direction("--light", t); }},
+      {"--light-follows", "WHAT", group,
+       names_in(kLightFollows) + ": the lights keep their places as seen from the camera (turntables)",
+       [](Options& o, Text t) {
+         o.light_follows_camera = parse_name("--light-follows", kLightFollows, t) == LightFollows::camera;
+       }},
+  };
+}
+
+std::vector<RenderOption> picture() {
+  const char* group = "Picture";
+  const RenderSettings defaults;
+  return {
+      {"--frames", "SPEC", group,
+       fmt::format("100 (frames 1-100), 1-100, 1-100:5, 1-10,20,30-40 (default {})", Options().frames),
+       [](Options& o, Text t) { o.frames = t; }},
+      {"--sequence", "A-B", group, "The whole that the frames belong to (default: first to last frame)",
+       [](Options& o, Text t) { o.sequence = parse_sequence(t); }},
+      {"--size", "WxH", group, fmt::format("Pixels (default {}x{})", defaults.width_px, defaults.height_px),
+       [](Options& o, Text t) { parse_size("--size", t, o.settings); }},
+      {"--crop", "X,Y,W,H", group, "Render this part of the frame only",
+       [](Options& o, Text t) { o.settings.crop = parse_crop("--crop", t); }},
+      {"--aov", "LIST", group,
+       "Also write any of " + names_in(kAovs) + " (files of their own; layers of an .exr); commas between them",
+       [](Options& o, Text t) { o.settings.aovs = parse_aovs("--aov", t); }},
+  };
+}
+
+std::vector<RenderOption> method() {
+  const char* group = "Method";
+  return {
+      choice("--method", "M", group, names_in(kMethods), &RenderSettings::method, kMethods),
+      {"--shadows", "S", group,
+       fmt::format("{} (default {}, or what the method takes)", names_in(kShadowModes),
+                   name_of(default_shadows(RenderSettings().method))),
+       [](Options& o, Text t) { o.shadows = parse_name("--shadows", kShadowModes, t); }},
+      {"--blur-kernel", "K", group,
+       fmt::format("Pixels, odd, 1 to {} (default {})", kLargestBlurKernel_px, RenderSettings().blur_kernel_px),
+       [](Options& o, Text t) {
+         o.settings.blur_kernel_px = parse_whole("--blur-kernel", t, 1, kLargestBlurKernel_px);
+         if (o.settings.blur_kernel_px % 2 == 0)
+           throw error(ErrorKind::usage, "--blur-kernel {}: must be odd, 1 to {}", t, kLargestBlurKernel_px);
+       }},
+      number("--shadow-map", "N", group, "Texels along each side", &RenderSettings::shadow_map_px, 1, kLargestSide_px),
+      choice("--shadow-warp", "W", group,
+             "lispsm: fitted to what is seen, more of it nearby; uniform: fitted to the whole scene",
+             &RenderSettings::shadow_warp, kShadowWarps),
+      number("--samples", "N", group, "Samples per pixel, in a fixed pattern", &RenderSettings::samples, 1, 4096),
+      number("--reflection-depth", "D", group, "Generations of rays after the first", &RenderSettings::reflection_depth,
+             0, 64),
+      choice("--accel", "A", group, names_in(kAccels), &RenderSettings::accel, kAccels),
+  };
+}
+
+std::vector<RenderOption> machine() {
+  const char* group = "Machine";
+  return {
+      {"--threads", "N", group, "Processors to use (default: all that are allowed)",
+       [](Options& o, Text t) { o.threads = parse_whole("--threads", t, 1, 1024); }},
+      {"--max-memory", "SIZE", group,
+       "Refuse what needs more, by an estimate: 8G, 500M, none (default: all that the machine or its cgroup has)",
+       [](Options& o, Text t) { o.most_bytes = parse_bytes("--max-memory", t); }},
+      number("--frames-in-flight", "N", group, "1: pass after pass; 2 or more: GPU and CPU work on neighbouring frames",
+             &RenderSettings::frames_in_flight, 1, 16),
+      {"--gl", "BINDING", group,
+       fmt::format("{} (default {})", names_in(kBindings), name_in(kBindings, gl::ContextRequest().binding)),
+       [](Options& o, Text t) { o.gl.binding = parse_name("--gl", kBindings, t); }},
+      {"--device", "ID", group, "GL device, as 'hybridrt doctor' lists them",
+       [](Options& o, Text t) { o.gl.device = t; }},
+      {"--require-hardware", "", group, "Refuse software renderers",
+       [](Options& o, Text t) { o.gl.require_hardware = parse_flag("--require-hardware", t); }},
+      text("--shaders", "DIR", group, "Folder to read the shaders from instead of the built-in ones",
+           &Options::shaders),
+  };
+}
 
 }  // namespace
 
-void add_render_options(CLI::App& app, RenderOptions& o) {
-  app.add_option("scene", o.scene,
-                 "OBJ, PLY, OFF or STL file, scene .json, or scene:spheres[,triangles=N,reflective=P]")
-      ->required()
-      ->type_name("SCENE");
-
-  const char* camera = "Camera and light";
-  app.add_option("--up-axis", o.up_axis,
-                 "y (default) or z: which axis of the scene's files points up. Cameras and "
-                 "lights are given in the files' axes too")
-      ->type_name("AXIS")
-      ->group(camera);
-  app.add_option("--camera", o.camera, "Camera path: keyframes or an orbit, as JSON")->type_name("FILE")->group(camera);
-  app.add_option("--eye", o.eye, "Still camera: where it stands (default: an orbit)")
-      ->type_name("X,Y,Z")
-      ->group(camera);
-  app.add_option("--target", o.target, "Still camera: what it looks at (default: the scene's middle)")
-      ->type_name("X,Y,Z")
-      ->group(camera);
-  app.add_option("--up", o.up, "Still camera: which way is up (default 0,1,0)")->type_name("X,Y,Z")->group(camera);
-  app.add_option("--fov", o.fov_deg, "Vertical field of view, replaces a camera path's (default 45)")
-      ->type_name("DEG")
-      ->group(camera);
-  app.add_option("--light", o.light,
-                 "Direction toward the light, any length (default: from above, left of and "
-                 "behind the first camera); replaces all lights of the scene and a camera path's")
-      ->type_name("X,Y,Z")
-      ->group(camera);
-  app.add_option("--light-follows", o.light_follows,
-                 "camera: the lights keep their places as seen from the camera "
-                 "(turntables)")
-      ->type_name("WHAT")
-      ->group(camera);
-
-  const char* picture = "Picture";
-  app.add_option("--frames", o.frames, "100 (frames 1-100), 1-100, 1-100:5, 1-10,20,30-40 (default 1)")
-      ->type_name("SPEC")
-      ->group(picture);
-  app.add_option("--sequence", o.sequence, "The whole that the frames belong to (default: first to last frame)")
-      ->type_name("A-B")
-      ->group(picture);
-  app.add_option("--size", o.size, "Pixels (default 1024x768)")->type_name("WxH")->group(picture);
-  app.add_option("--crop", o.crop, "Render this part of the frame only")->type_name("X,Y,W,H")->group(picture);
-  app.add_option("--aov", o.aovs,
-                 "Also write: id,shadow,marked,traced,depth,normal (files of their own; layers of an "
-                 ".exr)")
-      ->type_name("LIST")
-      ->group(picture);
-
-  const char* method = "Method";
-  app.add_option_function("--method", by_name("--method", kMethods, o.method),
-                          "hybrid (default), raster, raytrace, reference")
-      ->type_name("M")
-      ->group(method);
-  app.add_option("--shadows", o.shadows, "none, map, blur, exact, rays (default: exact, or what the method takes)")
-      ->type_name("S")
-      ->group(method);
-  app.add_option("--blur-kernel", o.blur_kernel, "Odd, 1-31 pixels (default 5)")->type_name("K")->group(method);
-  app.add_option("--shadow-map", o.shadow_map, "Texels along each side (default 2048)")->type_name("N")->group(method);
-  app.add_option_function("--shadow-warp", by_name("--shadow-warp", kWarps, o.shadow_warp),
-                          "lispsm (default): fitted to what is seen, more of it nearby; uniform: to the whole scene")
-      ->type_name("W")
-      ->group(method);
-  app.add_option("--samples", o.samples, "Samples a pixel, 1-4096, in a fixed pattern (default 1)")
-      ->type_name("N")
-      ->group(method);
-  app.add_option("--reflection-depth", o.reflection_depth, "Generations of rays after the first, 0-64 (default 4)")
-      ->type_name("D")
-      ->group(method);
-  app.add_option_function("--accel", by_name("--accel", kAccels, o.accel), "embree (default), kdtree")
-      ->type_name("A")
-      ->group(method);
-
-  const char* machine = "Machine";
-  app.add_option("--threads", o.threads, "Processors to use (default: all that are allowed)")
-      ->type_name("N")
-      ->group(machine);
-  app.add_option("--max-memory", o.max_memory,
-                 "What needs more is refused, by an estimate: 8G, 500M, none (default: "
-                 "all that the machine or its cgroup has)")
-      ->type_name("SIZE")
-      ->group(machine);
-  app.add_option("--frames-in-flight", o.frames_in_flight,
-                 "1: pass after pass; 2 (default): GPU and CPU work on "
-                 "neighbouring frames")
-      ->type_name("N")
-      ->group(machine);
-  app.add_option_function("--gl", by_name("--gl", kBindings, o.gl), "auto (default), egl, osmesa")
-      ->type_name("BINDING")
-      ->group(machine);
-  app.add_option("--device", o.device, "GL device, as 'hybridrt doctor' lists them")->type_name("ID")->group(machine);
-  app.add_flag("--require-hardware", o.require_hardware, "Refuse software renderers")->group(machine);
-  app.add_option("--shaders", o.shaders, "Folder to read the shaders from instead of the built-in ones")
-      ->type_name("DIR")
-      ->group(machine);
-
-  const std::vector<CLI::Option*> ours = app.get_options();
-  app.parse_complete_callback([ours, &o] {
-    o.given.clear();
-    for (const CLI::Option* option : ours) {
-      const std::string name = option->get_name(false, false);
-      if (option->count() == 0 || !name.starts_with("--") || name == "--help") continue;
-      o.given.emplace_back(name, option->results().back());
-    }
-  });
+std::vector<RenderOption> render_option_table() {
+  std::vector<RenderOption> table;
+  append(table, camera_and_light());
+  append(table, picture());
+  append(table, method());
+  append(table, machine());
+  return table;
 }
 
 }  // namespace hybridrt::cli

@@ -1,14 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/base/parallel.h"
-#include "core/base/warnings.h"
-#include "core/load/load_watch.h"
-#include "core/render/render_job.h"
+#include "core/gl/context.h"
+#include "core/load/scene_source.h"
+#include "core/render/frame_spec.h"
+#include "core/render/settings.h"
+#include "core/scene/up_axis.h"
 
 namespace CLI {
 class App;
@@ -16,45 +18,35 @@ class App;
 
 namespace hybridrt::cli {
 
-/// What can be said about a render on the command line, as text or number, with the defaults.
+/// What the options of a render say, with the defaults. Points and directions are in the axes of the scene's files.
 struct RenderOptions {
   std::string scene;
-  std::string frames = "1", sequence;
-  std::string up_axis;                 ///< "y" or "z"; empty: what the scene says
+  RenderSettings settings;            ///< complete after finished_settings()
+  std::optional<ShadowMode> shadows;  ///< default: the method's
+  std::string frames = "1";
+  std::optional<FrameRange> sequence;  ///< default: from the first to the last frame
+  std::optional<UpAxis> up_axis;       ///< default: what the scene says
   std::string camera;                  ///< camera path file
-  std::string eye, target, up, light;  ///< X,Y,Z, in the axes of the scene's files
-  std::string light_follows;           ///< empty or "camera"
-  std::optional<double> fov_deg;       ///< default 45, or what the camera path says
-  std::string size = "1024x768", crop;
-  Method method = Method::hybrid;
-  std::string shadows;  ///< empty: the method's default
-  ShadowWarp shadow_warp = ShadowWarp::lispsm;
-  int blur_kernel = 5, shadow_map = 2048, reflection_depth = 4, samples = 1;
-  std::optional<int> threads;  ///< default: all allowed processors
-  std::string max_memory;      ///< SIZE or "none"; empty: what the machine and the cgroup have
-  Accel accel = Accel::embree;
-  int frames_in_flight = 2;
-  gl::Binding gl = gl::Binding::any;
-  std::string device, shaders;
-  bool require_hardware = false;
-  std::string aovs;
+  std::optional<dvec3> eye, target, up, light;
+  bool light_follows_camera = false;
+  std::optional<double> fov_y_rad;     ///< default: the camera's own
+  std::optional<int> threads;          ///< default: all allowed processors
+  std::optional<uint64_t> most_bytes;  ///< of memory; default: what the machine and the cgroup have
+  gl::ContextRequest gl;
+  std::string shaders;  ///< folder; empty: the built-in ones
 
   /// Names (with dashes) and values of the options that were given, in order; filled by parsing.
   std::vector<std::pair<std::string, std::string>> given;
 };
 
-/// Adds the options that decide pictures and how they are made (not where they go).
+/// Adds the options that decide pictures and how they are made (not where they go): render_option_table.h.
 void add_render_options(CLI::App& app, RenderOptions& options);
 
-/// The settings of every frame. Throws Error(usage) for values that cannot be.
-RenderSettings make_settings(const RenderOptions& options);
+/// The options after the source's `settings`; what was given on the command line wins. Throws Error(input) naming the
+/// scene for settings that are no render option or have a value that it does not take.
+RenderOptions with_scene_settings(const RenderOptions& options, const SceneSource& source);
 
-/// The options after the `settings` of a scene JSON; what was given on the command line wins. Other scenes say
-/// nothing. Throws Error(input) naming the file for settings that no render option is or takes.
-RenderOptions with_scene_settings(const RenderOptions& options);
-
-/// Reads the scene and turns the options, as with_scene_settings() has them, into a job. Throws Error(usage) for values
-/// that cannot be, Error(input) for the scene. `progress` is told how far reading it is.
-RenderJob make_render_job(const RenderOptions& options, Warnings& warnings, LoadProgress* progress = nullptr);
+/// The settings of every frame. Throws Error(usage) for options that do not go together.
+RenderSettings finished_settings(const RenderOptions& options);
 
 }  // namespace hybridrt::cli

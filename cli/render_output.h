@@ -5,7 +5,9 @@
 
 #include "cli/render_options.h"
 #include "core/base/file_claims.h"
+#include "core/base/warnings.h"
 #include "core/render/output_pattern.h"
+#include "core/render/render_job.h"
 
 namespace hybridrt::cli {
 

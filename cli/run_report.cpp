@@ -78,9 +78,7 @@ std::string summary_table(const RenderJob& job, const RunTotals& totals) {
   out += fmt::format("{:<26} {:>12} {:>12}\n", "rays", "fired", "saved");
   out +=
       fmt::format("{:<26} {:>12} {:>12}\n", "primary", rays(rasterised ? 0 : primary), rays(rasterised ? primary : 0));
-  const auto& lights = job.lights.lights;
-  const auto casts = [](const DirectionalLight& light) { return light.casts_shadow; };
-  const int64_t casting = std::count_if(lights.begin(), lights.end(), casts);
+  const auto casting = static_cast<int64_t>(count_shadow_casters(job.lights.lights));
   const int64_t receivers_untraced = std::max<int64_t>(0, casting * s.pixels_hit - s.primary_shadow_rays);
   out += fmt::format("{:<26} {:>12} {:>12}\n", "shadow, seen directly", rays(s.primary_shadow_rays),
                      rays(job.settings.shadows == ShadowMode::none ? 0 : receivers_untraced));
@@ -91,8 +89,8 @@ std::string summary_table(const RenderJob& job, const RunTotals& totals) {
   return out;
 }
 
-nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob& job, const RunFacts& facts,
-                                  const RunTotals& totals, const Warnings& warnings) {
+nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob& job, int threads,
+                                  const RunFacts& facts, const RunTotals& totals, const Warnings& warnings) {
   using json = nlohmann::ordered_json;
   const RenderSettings& s = job.settings;
   json report = {
@@ -119,7 +117,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
                                  {"version", facts.gl->version}}
                           : json(nullptr);
   report["processor"] = processor_name();
-  report["threads"] = job.threads;
+  report["threads"] = threads;
   report["accel"] = facts.accel.empty() ? json(nullptr) : json(facts.accel);
   report["load_ms"] = totals.load_ms;
   report["accel_build_ms"] = facts.accel_build_ms;

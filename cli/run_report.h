@@ -25,8 +25,8 @@ struct RunTotals {
 std::string summary_table(const RenderJob& job, const RunTotals& totals);
 
 /// Facts of a run for run.json: version, scene, settings, GL renderer, processor, times, memory.
-nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob& job, const RunFacts& facts,
-                                  const RunTotals& totals, const Warnings& warnings);
+nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob& job, int threads,
+                                  const RunFacts& facts, const RunTotals& totals, const Warnings& warnings);
 
 /// The settings that decide pixels, as one line for image metadata.
 std::string settings_line(const RenderSettings& settings);

@@ -1,13 +1,21 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace hybridrt {
 
 /// Bytes of main memory that this process may use in all: the machine's, further limited by the cgroup (version 1 or
 /// 2). UINT64_MAX where nothing says.
 uint64_t allowed_memory();
+
+/// Of a vector's elements.
+template <typename T>
+size_t bytes_of(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
+}
 
 /// For people: "12.5 MiB", "3.0 GiB".
 std::string size_text(uint64_t bytes);

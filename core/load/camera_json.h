@@ -10,23 +10,19 @@ namespace hybridrt {
 
 class JsonPlace;
 
-/// Settings that the numbers of a camera file are read by.
-struct CameraFileContext {
-  UpAxis up = UpAxis::y;               ///< the numbers are in the axes of the scene's files
-  double default_fov_y_rad = kPi / 4;  ///< where none is given
-};
+// The numbers are in the axes of the scene's files, of which `up_axis` points up.
 
 /// {"keyframes": [{"frame", "eye", "target", "up", "fov_y_deg", "light"}, …]} or
 /// {"orbit": {"target", "radius", "height", "from_deg", "to_deg", "fov_y_deg"}}: the documentation's camera
 /// path. Throws Error (input) naming file and place: what read_json_file throws, unknown or missing keys,
 /// numbers that are none or not finite, eye = target, a field of view outside of 0-180, frames not ascending,
 /// no keys. An `up` along the view is counted in one warning; the view takes another one (make_view).
-CameraCourse read_camera_file(const std::filesystem::path& path, const CameraFileContext& context, Warnings& warnings);
+CameraCourse read_camera_file(const std::filesystem::path& path, UpAxis up_axis, Warnings& warnings);
 
 /// The same from a value inside another file.
-CameraCourse parse_camera_course(const JsonPlace& place, const CameraFileContext& context, Warnings& warnings);
+CameraCourse parse_camera_course(const JsonPlace& place, UpAxis up_axis, Warnings& warnings);
 
 /// {"eye", "target", "up", "fov_y_deg"}: a still camera.
-Camera parse_camera(const JsonPlace& place, const CameraFileContext& context, Warnings& warnings);
+Camera parse_camera(const JsonPlace& place, UpAxis up_axis, Warnings& warnings);
 
 }  // namespace hybridrt

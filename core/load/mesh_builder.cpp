@@ -4,11 +4,7 @@
 #include "core/mesh/polygon.h"
 
 namespace hybridrt {
-namespace {
-
-constexpr double kLargestCoordinate = 1e30;  // its square still fits a double, itself a float
-
-}  // namespace
+namespace {}  // namespace
 
 MeshBuilder::MeshBuilder(const std::filesystem::path& path, const char* place) {
   data.path = path;

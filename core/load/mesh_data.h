@@ -11,6 +11,9 @@ namespace hybridrt {
 
 inline constexpr uint32_t kNoIndex = 0xFFFFFFFFu;
 
+/// Coordinates are smaller: their squares still fit a double, they themselves a float.
+inline constexpr double kLargestCoordinate = 1e30;
+
 /// A mesh file as written, cut into triangles, nothing repaired yet.
 struct MeshData {
   std::filesystem::path path;                              ///< for messages

@@ -21,7 +21,7 @@ std::string extension_of(const std::filesystem::path& path) {
 
 constexpr uint64_t kLargeObj = uint64_t{4} << 20;  // worth all threads
 
-uint64_t bytes_of(const std::filesystem::path& path) {
+uint64_t file_bytes(const std::filesystem::path& path) {
   std::error_code unreadable;
   const uint64_t bytes = std::filesystem::file_size(path, unreadable);
   return unreadable ? 0 : bytes;
@@ -32,7 +32,7 @@ MeshData read_mesh(const std::filesystem::path& path, ThreadPool& pool, Warnings
   MeshData mesh = mesh_format_of(path) == MeshFormat::ply   ? read_ply(path, warnings)
                   : mesh_format_of(path) == MeshFormat::off ? read_off(path, warnings)
                                                             : read_stl(path, warnings);
-  if (progress) progress->bytes_read += bytes_of(path);
+  if (progress) progress->bytes_read += file_bytes(path);
   return mesh;
 }
 
@@ -62,7 +62,7 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
   uint64_t memory_bytes = 0;
   for (const std::filesystem::path& path : paths) {
     memory_bytes += loading_bytes(path);
-    if (watch.progress) watch.progress->bytes += bytes_of(path);
+    if (watch.progress) watch.progress->bytes += file_bytes(path);
   }
   require_room_for_scene(paths.front().string() + (paths.size() > 1 ? " and the other meshes" : ""), memory_bytes,
                          watch.most_bytes);
@@ -82,7 +82,7 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
   };
   std::vector<size_t> small;
   for (size_t i = 0; i < paths.size(); ++i)
-    if (paths.size() == 1 || (mesh_format_of(paths[i]) == MeshFormat::obj && bytes_of(paths[i]) >= kLargeObj))
+    if (paths.size() == 1 || (mesh_format_of(paths[i]) == MeshFormat::obj && file_bytes(paths[i]) >= kLargeObj))
       read(i, pool);
     else
       small.push_back(i);

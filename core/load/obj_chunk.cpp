@@ -12,8 +12,6 @@
 namespace hybridrt {
 namespace {
 
-constexpr double kLargestCoordinate = 1e30;  // its square still fits a double, itself a float
-
 // Statements that carry nothing we draw, or nothing we read yet.
 constexpr std::array<std::string_view, 18> kIgnored = {
     "g",  "o",      "s",      "p",        "l",        "vp",         "lod",       "mg", "bevel",

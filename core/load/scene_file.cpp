@@ -33,9 +33,10 @@ std::vector<fs::path> parse_meshes(const JsonPlace& place, const fs::path& file)
 }
 
 UpAxis parse_up_axis(const JsonPlace& place) {
-  const std::string axis = place.text();
-  if (axis != "y" && axis != "z") place.fail(fmt::format("{} is not known; one of y, z", in_quotes(axis)));
-  return axis == "y" ? UpAxis::y : UpAxis::z;
+  const std::string name = place.text();
+  const std::optional<UpAxis> axis = value_in(kUpAxes, name);
+  if (!axis) place.fail(fmt::format("{} is not known; one of {}", in_quotes(name), names_in(kUpAxes)));
+  return *axis;
 }
 
 /// Linear, three numbers or one for three equal ones.
@@ -85,11 +86,12 @@ std::string setting_text(const JsonPlace& place) {
 
 bool is_scene_file(const fs::path& path) { return path.extension() == ".json"; }
 
-SceneDescription read_scene_file(const fs::path& path) {
-  const nlohmann::json document = read_json_file(path);
-  const JsonPlace scene(document, path.string());
+SceneSource read_scene_file(const fs::path& path) {
+  SceneSource result;
+  result.argument = path.string();
+  result.document = std::make_shared<const nlohmann::json>(read_json_file(path));
+  const JsonPlace scene(*result.document, path.string());
   require_known_keys(scene);
-  SceneDescription result;
   result.meshes = parse_meshes(scene.at("meshes"), path);
   if (const auto up = scene.find("up_axis")) result.up_axis = parse_up_axis(*up);
   if (const auto lights = scene.find("lights")) result.lights = parse_lights(*lights);
@@ -107,16 +109,13 @@ SceneDescription read_scene_file(const fs::path& path) {
   return result;
 }
 
-std::optional<CameraCourse> read_scene_file_camera(const fs::path& path, const CameraFileContext& context,
-                                                   Warnings& warnings) {
-  const nlohmann::json document = read_json_file(path);
-  const JsonPlace scene(document, path.string());
-  require_known_keys(scene);
-  if (const auto camera = scene.find("camera")) return parse_camera(*camera, context, warnings);
+std::optional<CameraCourse> scene_file_camera(const SceneSource& source, UpAxis up, Warnings& warnings) {
+  const JsonPlace scene(*source.document, source.argument);
+  if (const auto camera = scene.find("camera")) return parse_camera(*camera, up, warnings);
   const auto course = scene.find("camera_path");
   if (!course) return std::nullopt;
-  if (course->is_text()) return read_camera_file(beside(path, course->text()), context, warnings);
-  return parse_camera_course(*course, context, warnings);
+  if (course->is_text()) return read_camera_file(beside(source.argument, course->text()), up, warnings);
+  return parse_camera_course(*course, up, warnings);
 }
 
 }  // namespace hybridrt

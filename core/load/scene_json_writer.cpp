@@ -1,9 +1,9 @@
 #include "core/load/scene_json_writer.h"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "core/base/output_file.h"
+#include "core/base/shortest.h"
 
 namespace hybridrt {
 namespace {
@@ -12,16 +12,7 @@ using Json = nlohmann::ordered_json;
 
 Json numbers(const dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// A float's number with the fewest digits that read back the same.
-double short_number(float value) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-  double number = 0;
-  std::from_chars(digits, end, number);
-  return number;
-}
-
-Json color(const vec3& c) { return {short_number(c.x), short_number(c.y), short_number(c.z)}; }
+Json color(const vec3& c) { return {shortest_double(c.x), shortest_double(c.y), shortest_double(c.z)}; }
 
 }  // namespace
 

@@ -3,12 +3,10 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/warnings.h"
 #include "core/load/loading_bytes.h"
 #include "core/load/mesh_io.h"
 #include "core/load/scene_file.h"
 #include "core/load/text_scan.h"
-#include "core/procedural/procedural.h"
 
 namespace hybridrt {
 namespace {
@@ -29,59 +27,77 @@ double parse_value(const std::string& argument, std::string_view key, std::strin
   return *number;
 }
 
-Scene make_procedural(const std::string& argument, uint64_t most_bytes) {
+/// `key=value` into `options`.
+void parse_option(const std::string& argument, std::string_view part, ProceduralOptions& options) {
+  const size_t equals = part.find('=');
+  const std::string_view key = part.substr(0, equals);
+  const std::string_view value = equals == part.npos ? std::string_view() : part.substr(equals + 1);
+  if (key == "triangles") {
+    const double triangles = parse_value(argument, key, value);
+    if (triangles != std::floor(triangles) || std::abs(triangles) > 1e15)
+      throw error(ErrorKind::usage, "{}: triangles needs a whole number, not {}", argument, in_quotes(value));
+    options.triangles = static_cast<int64_t>(triangles);
+  } else if (key == "reflective") {
+    options.reflective_percent = parse_value(argument, key, value);
+  } else {
+    throw error(ErrorKind::usage, "{}: unknown key {}; allowed: triangles=N, reflective=PERCENT", argument,
+                in_quotes(key));
+  }
+}
+
+SceneSource parse_procedural(const std::string& argument) {
   std::string_view rest = std::string_view(argument).substr(kPrefix.size());
   const std::string_view name = take_part(rest);
-  const ProceduralScene* scene = find_procedural(name);
-  if (!scene)
+  SceneSource source;
+  source.procedural = find_procedural(name);
+  if (!source.procedural)
     throw error(ErrorKind::usage, "{}: there is no procedural scene {}; there are: {}", argument, in_quotes(name),
                 procedural_names());
-  ProceduralOptions options;
-  while (!rest.empty()) {
-    const std::string_view part = take_part(rest);
-    const size_t equals = part.find('=');
-    const std::string_view key = part.substr(0, equals);
-    const std::string_view value = equals == part.npos ? std::string_view() : part.substr(equals + 1);
-    if (key == "triangles") {
-      const double triangles = parse_value(argument, key, value);
-      if (triangles != std::floor(triangles) || std::abs(triangles) > 1e15)
-        throw error(ErrorKind::usage, "{}: triangles needs a whole number, not {}", argument, in_quotes(value));
-      options.triangles = static_cast<int64_t>(triangles);
-    } else if (key == "reflective") {
-      options.reflective_percent = parse_value(argument, key, value);
-    } else {
-      throw error(ErrorKind::usage, "{}: unknown key {}; allowed: triangles=N, reflective=PERCENT", argument,
-                  in_quotes(key));
-    }
-  }
-  const int64_t triangles = std::min(options.triangles.value_or(scene->default_triangles), scene->most_triangles);
-  require_room_for_scene(argument, making_bytes(triangles), most_bytes);
-  return scene->make(options);
+  while (!rest.empty()) parse_option(argument, take_part(rest), source.procedural_options);
+  const SceneShot shot = source.procedural->shot();
+  if (shot.camera) source.shot = orbit_through(*shot.camera);
+  source.lights = shot.lights;
+  source.ambient = shot.ambient;
+  source.background = shot.background;
+  return source;
+}
+
+SceneSource parse_path(const std::filesystem::path& path) {
+  std::error_code unreachable;
+  if (!std::filesystem::exists(path, unreachable))
+    throw error(ErrorKind::input, "{} does not exist; SCENE is a {} file, a scene .json or scene:NAME ({})",
+                path.string(), kMeshFormats, procedural_names());
+  if (is_scene_file(path)) return read_scene_file(path);
+  if (!is_mesh_file(path) && !std::filesystem::is_directory(path, unreachable))
+    throw error(ErrorKind::input, "{}: {} files are not read, only {} and scene .json; convert it to one of these",
+                path.string(), path.has_extension() ? path.extension().string() : "such", kMeshFormats);
+  SceneSource source;
+  source.meshes = {path};
+  return source;
 }
 
 }  // namespace
 
-Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings, std::optional<UpAxis> up_axis,
+SceneSource parse_scene_source(const std::string& argument) {
+  SceneSource source = argument.starts_with(kPrefix) ? parse_procedural(argument) : parse_path(argument);
+  source.argument = argument;
+  return source;
+}
+
+std::optional<CameraCourse> camera_of(const SceneSource& source, UpAxis up, Warnings& warnings) {
+  return source.document ? scene_file_camera(source, up, warnings) : source.shot;
+}
+
+Scene load_scene(const SceneSource& source, std::optional<UpAxis> up_axis, ThreadPool& pool, Warnings& warnings,
                  const LoadWatch& watch) {
-  if (scene_argument.starts_with(kPrefix)) {
-    if (up_axis.value_or(UpAxis::y) != UpAxis::y)
-      throw error(ErrorKind::usage, "{}: its y axis points up; leave --up-axis out", scene_argument);
-    return make_procedural(scene_argument, watch.most_bytes);
-  }
-  const std::filesystem::path path(scene_argument);
-  std::error_code unreachable;
-  if (!std::filesystem::exists(path, unreachable))
-    throw error(ErrorKind::input, "{} does not exist; SCENE is a {} file, a scene .json or scene:NAME ({})",
-                scene_argument, kMeshFormats, procedural_names());
-  if (is_scene_file(path)) {
-    const SceneDescription description = read_scene_file(path);
-    const UpAxis up = up_axis ? *up_axis : description.up_axis.value_or(UpAxis::y);
-    return load_meshes(description.meshes, up, pool, warnings, watch);
-  }
-  if (!is_mesh_file(path) && !std::filesystem::is_directory(path, unreachable))
-    throw error(ErrorKind::input, "{}: {} files are not read, only {} and scene .json; convert it to one of these",
-                scene_argument, path.has_extension() ? path.extension().string() : "such", kMeshFormats);
-  return load_meshes({&path, 1}, up_axis.value_or(UpAxis::y), pool, warnings, watch);
+  const UpAxis up = up_axis ? *up_axis : source.up_axis.value_or(UpAxis::y);
+  if (!source.procedural) return load_meshes(source.meshes, up, pool, warnings, watch);
+  if (up != UpAxis::y) throw error(ErrorKind::usage, "{}: its y axis points up; leave --up-axis out", source.argument);
+  const ProceduralScene& scene = *source.procedural;
+  const int64_t triangles =
+      std::min(source.procedural_options.triangles.value_or(scene.default_triangles), scene.most_triangles);
+  require_room_for_scene(source.argument, making_bytes(triangles), watch.most_bytes);
+  return scene.make(source.procedural_options);
 }
 
 }  // namespace hybridrt

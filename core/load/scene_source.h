@@ -1,24 +1,57 @@
 #pragma once
 
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
 #include "core/load/load_watch.h"
+#include "core/procedural/procedural.h"
+#include "core/scene/camera_path.h"
 #include "core/scene/scene.h"
 #include "core/scene/up_axis.h"
 
 namespace hybridrt {
 
-/// The scene that a command's SCENE argument means: the path of a mesh file or of a scene JSON that names
-/// several (load_meshes), or a procedural one (procedural.h): `scene:chess`, say, with `,triangles=N` and
-/// `,reflective=P` behind it.
-/// Throws Error: usage for an unknown scene name, key or value, naming what is allowed; input for a file
-/// that is missing or of a kind we do not read, and whatever load_meshes() and read_scene_file() throw.
-/// `up_axis` replaces what a scene JSON says; procedural scenes have y up and take no other.
-/// A scene that would take more than watch.most_bytes of memory is refused (Error, input) before it is read or made.
-Scene load_scene(const std::string& scene_argument, ThreadPool& pool, Warnings& warnings,
-                 std::optional<UpAxis> up_axis = std::nullopt, const LoadWatch& watch = {});
+/// What a command's SCENE argument means, its meshes not yet read: what the scene is made of, and how it wants to be
+/// seen. What it does not say is left empty and is the command line's to decide. Numbers are in the axes of the files.
+struct SceneSource {
+  std::string argument;  ///< as given, for messages
+
+  const ProceduralScene* procedural = nullptr;  ///< null: `meshes` are read
+  ProceduralOptions procedural_options;
+  std::vector<std::filesystem::path> meshes;  ///< at least one, or procedural
+
+  std::optional<UpAxis> up_axis;
+  std::optional<std::vector<DirectionalLight>> lights;  ///< `toward` unit, at most HRT_MAX_LIGHTS; may be none
+  std::optional<vec3> ambient, background;
+  /// Render options by the names of the command line, without dashes, and their values as text; "true" where a flag is
+  /// set. Their names are not checked here.
+  std::vector<std::pair<std::string, std::string>> settings;
+
+  std::optional<CameraCourse> shot;                ///< how a procedural scene is best looked at
+  std::shared_ptr<const nlohmann::json> document;  ///< of a scene JSON, for camera_of()
+};
+
+/// `argument`: the path of a mesh file or of a scene JSON (scene_file.h), or a procedural scene (procedural.h):
+/// `scene:chess`, say, with `,triangles=N` and `,reflective=P` behind it. A scene JSON is read and parsed here and
+/// nowhere else. Throws Error: usage for an unknown scene name, key or value, naming what is allowed; input for a file
+/// that is missing or of a kind we do not read, and whatever read_scene_file() throws.
+SceneSource parse_scene_source(const std::string& argument);
+
+/// The camera that the scene brings, if it has one. `up` is the axis that points up in its files, the command line's
+/// word taken in. Throws Error (input) as parse_camera() and read_camera_file().
+std::optional<CameraCourse> camera_of(const SceneSource& source, UpAxis up, Warnings& warnings);
+
+/// Reads the meshes (load_meshes) or makes the scene. `up_axis` replaces what the source says; procedural scenes have y
+/// up and take no other (Error, usage). A scene that would take more than watch.most_bytes of memory is refused (Error,
+/// input) before it is read or made.
+Scene load_scene(const SceneSource& source, std::optional<UpAxis> up_axis, ThreadPool& pool, Warnings& warnings,
+                 const LoadWatch& watch = {});
 
 }  // namespace hybridrt

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.h"
+#include "core/base/memory.h"
 #include "core/mesh/topology_edges.h"
 #include "core/mesh/weld.h"
 
@@ -147,11 +148,6 @@ void measure_volumes(const Scene& scene, ThreadPool& pool, Topology& topology) {
     topology.components[i].winding = volumes[i].value > 0 ? Winding::outward : Winding::inward;
     topology.components[i].volume = std::abs(volumes[i].value) / 6;
   }
-}
-
-template <typename T>
-size_t bytes_of(const std::vector<T>& values) {
-  return values.size() * sizeof(T);
 }
 
 }  // namespace

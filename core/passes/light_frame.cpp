@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/scene/light_axes.h"
+
 namespace hybridrt {
 
 dmat4 LightFrame::unit_from_scene() const {
@@ -14,9 +16,9 @@ dmat4 LightFrame::unit_from_scene() const {
 LightFrame fit_light_frame(const Scene& scene, const dvec3& toward) {
   LightFrame frame;
   frame.toward = toward;
-  const dvec3 other = std::abs(frame.toward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
-  frame.x_axis = glm::normalize(glm::cross(other, frame.toward));
-  frame.y_axis = glm::cross(frame.toward, frame.x_axis);
+  const LightAxes axes = light_axes(toward);
+  frame.x_axis = axes.x;
+  frame.y_axis = axes.y;
 
   frame.lo = dvec3(std::numeric_limits<double>::infinity());
   frame.hi = -frame.lo;

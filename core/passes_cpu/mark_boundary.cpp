@@ -12,12 +12,12 @@
 namespace hybridrt {
 namespace {
 
-uint8_t mask_of(ShadowCertainty certainty) {
-  switch (certainty) {
-    case ShadowCertainty::lit: return HRT_MASK_LIT;
-    case ShadowCertainty::shadow: return 0;
-    case ShadowCertainty::inside: return HRT_MASK_MARKED | HRT_MASK_INSIDE;
-    case ShadowCertainty::unsettled: break;
+uint8_t mask_of(CellAnswer answer) {
+  switch (answer) {
+    case CellAnswer::lit: return HRT_MASK_LIT;
+    case CellAnswer::shadow: return 0;
+    case CellAnswer::inside: return HRT_MASK_MARKED | HRT_MASK_INSIDE;
+    case CellAnswer::unknown: break;
   }
   return HRT_MASK_MARKED;
 }
@@ -25,40 +25,41 @@ uint8_t mask_of(ShadowCertainty certainty) {
 /// Questions to one light that wait for each other.
 constexpr size_t kBatch = 256;
 
-/// Keeps of a batch only what the light buffer's cells do not settle, and empties it. `mask` and `lit`: the light's.
-void settle_batch(const LightBuffer& buffer, UnsettledShadows::Chunk& asked, std::span<uint8_t> mask,
-                  std::span<uint8_t> lit, UnsettledShadows::Chunk& unsettled) {
-  ShadowCertainty certainties[kBatch];
-  certify(buffer, asked.queries, {certainties, asked.queries.size()});
+/// Marks what the light buffer's cells cannot answer: that is kept of a batch, which is then emptied. `mask` and `lit`:
+/// the light's.
+void mark_batch(const LightBuffer& buffer, MarkedShadows::Chunk& asked, std::span<uint8_t> mask, std::span<uint8_t> lit,
+                MarkedShadows::Chunk& marked) {
+  CellAnswer answers[kBatch];
+  answers_of_cells(buffer, asked.queries, {answers, asked.queries.size()});
   for (size_t i = 0; i < asked.pixels.size(); ++i) {
     const uint32_t pixel = asked.pixels[i];
-    mask[pixel] = mask_of(certainties[i]);
+    mask[pixel] = mask_of(answers[i]);
     lit[pixel] = mask[pixel] & HRT_MASK_LIT;
     if (!(mask[pixel] & HRT_MASK_MARKED)) continue;
-    unsettled.queries.push_back(asked.queries[i]);
-    unsettled.pixels.push_back(pixel);
+    marked.queries.push_back(asked.queries[i]);
+    marked.pixels.push_back(pixel);
   }
   asked.queries.clear(), asked.pixels.clear();
 }
 
 }  // namespace
 
-void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint32_t> ids, std::span<uint8_t> mask,
-                    std::span<uint8_t> lit, UnsettledShadows& unsettled) {
+void mark_boundary(const TraceJob& job, ThreadPool& pool, std::span<const uint32_t> ids, std::span<uint8_t> mask,
+                   std::span<uint8_t> lit, MarkedShadows& marked) {
   const size_t lights = job.lights.size(), pixel_count = ids.size();
   HRT_CHECK(lights * pixel_count == mask.size() && mask.size() == lit.size());
   const int width = job.view.width_px;
   const size_t chunk_pixels = static_cast<size_t>(width) * Tile::kBlock_px;
   const size_t chunks = (pixel_count + chunk_pixels - 1) / chunk_pixels;
-  unsettled.chunks.resize(lights * chunks);
+  marked.chunks.resize(lights * chunks);
   parallel_for(pool, pixel_count, chunk_pixels, [&](size_t begin, size_t end) {
-    std::vector<UnsettledShadows::Chunk> asked(lights);
-    const auto settle = [&](size_t l) {
-      settle_batch(*job.lights[l].buffer, asked[l], mask.subspan(l * pixel_count, pixel_count),
-                   lit.subspan(l * pixel_count, pixel_count), unsettled.chunks[l * chunks + begin / chunk_pixels]);
+    std::vector<MarkedShadows::Chunk> asked(lights);
+    const auto mark_asked = [&](size_t l) {
+      mark_batch(*job.lights[l].buffer, asked[l], mask.subspan(l * pixel_count, pixel_count),
+                 lit.subspan(l * pixel_count, pixel_count), marked.chunks[l * chunks + begin / chunk_pixels]);
     };
     for (size_t l = 0; l < lights; ++l) {
-      UnsettledShadows::Chunk& chunk = unsettled.chunks[l * chunks + begin / chunk_pixels];
+      MarkedShadows::Chunk& chunk = marked.chunks[l * chunks + begin / chunk_pixels];
       chunk.queries.clear(), chunk.pixels.clear();
       for (size_t i = begin; i < end; ++i) {
         mask[l * pixel_count + i] = ids[i] == kNoTriangle ? HRT_MASK_NO_RECEIVER : 0;
@@ -75,22 +76,21 @@ void settle_shadows(const TraceJob& job, ThreadPool& pool, std::span<const uint3
         asked[l].queries.push_back(query);
         asked[l].queries.back().anywhere = job.eye_enclosed;
         asked[l].pixels.push_back(static_cast<uint32_t>(i));
-        if (asked[l].pixels.size() == kBatch) settle(l);
+        if (asked[l].pixels.size() == kBatch) mark_asked(l);
       });
     });
     for (size_t l = 0; l < lights; ++l)
-      if (job.casts_shadow(l)) settle(l);
+      if (job.casts_shadow(l)) mark_asked(l);
   });
 }
 
-TraceStats answer_unsettled(const TraceJob& job, ThreadPool& pool, const UnsettledShadows& unsettled,
-                            std::span<uint8_t> lit) {
+TraceStats answer_marked(const TraceJob& job, ThreadPool& pool, const MarkedShadows& marked, std::span<uint8_t> lit) {
   TraceStats total;
   std::mutex mutex;
   if (job.lights.empty()) return total;
-  const size_t chunks = unsettled.chunks.size() / job.lights.size(), pixel_count = lit.size() / job.lights.size();
-  pool.run(unsettled.chunks.size(), [&](size_t chunk, int) {
-    const auto& [queries, pixels] = unsettled.chunks[chunk];
+  const size_t chunks = marked.chunks.size() / job.lights.size(), pixel_count = lit.size() / job.lights.size();
+  pool.run(marked.chunks.size(), [&](size_t chunk, int) {
+    const auto& [queries, pixels] = marked.chunks[chunk];
     if (queries.empty()) return;
     const size_t light = chunk / chunks;
     const double started_ms = thread_cpu_ms();

@@ -149,9 +149,9 @@ bool shows_hole(const Scene& scene, const dvec3& eye, const SeenPixel& pixel) {
 }
 
 /// The nearest of the triangles around (x, y) and of those that `caster` finds, by the exact ray.
-class Settlement {
+class ExactHit {
  public:
-  Settlement(const Scene& scene, const SeenPixel& pixel, const dvec3& eye)
+  ExactHit(const Scene& scene, const SeenPixel& pixel, const dvec3& eye)
       : scene_(scene), ray_{eye, pixel.dir}, sheared_(shear_ray(eye, pixel.dir)), nearest_(ray_.t_min, ray_.t_max) {}
 
   /// Whether the ray meets it at all.
@@ -223,11 +223,11 @@ RepairStats repair_primary_hits(const Scene& scene, const View& view, const RayC
       caster.closest_hits(rays, hits);
       for (size_t i = 0; i < suspects.size(); ++i) {
         uint32_t& id = repaired[row * view.width_px + suspects[i]];
-        Settlement settlement(scene, seen.at(suspects[i], y), view.eye);
-        settlement.offer_neighbours(seen, suspects[i], y, suspicion);
-        if (hits[i].found() && !settlement.offer(hits[i].triangle)) settlement.offer_around(caster, view);
-        stats.repaired += settlement.triangle() != id;
-        id = settlement.triangle();
+        ExactHit exact(scene, seen.at(suspects[i], y), view.eye);
+        exact.offer_neighbours(seen, suspects[i], y, suspicion);
+        if (hits[i].found() && !exact.offer(hits[i].triangle)) exact.offer_around(caster, view);
+        stats.repaired += exact.triangle() != id;
+        id = exact.triangle();
       }
       stats.suspects += static_cast<int64_t>(suspects.size());
     }

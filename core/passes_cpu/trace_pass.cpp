@@ -70,7 +70,7 @@ class TileTrace {
   void visit(int x, int y, uint32_t in_tile, TraceStats& stats) {
     const size_t index = index_of(x, y);
     const uint32_t triangle = pixels_.ids[index];
-    const unsigned asked = pixels_.lit.empty() ? 0 : take_over_settled(index, triangle);
+    const unsigned asked = pixels_.lit.empty() ? 0 : take_over_answers(index, triangle);
     if (triangle == kNoTriangle) return;
     ++stats.pixels_hit;
     stats.pixels_marked += std::popcount(asked);
@@ -85,7 +85,7 @@ class TileTrace {
   }
 
   /// Writes the answers that pass 3 has already. Returns the lights (bits) that the pixel asks.
-  unsigned take_over_settled(size_t index, uint32_t triangle) const {
+  unsigned take_over_answers(size_t index, uint32_t triangle) const {
     unsigned asked = 0;
     for (size_t l = 0; l < job_.lights.size(); ++l) {
       const size_t at = l * pixels_.ids.size() + index;

@@ -58,7 +58,7 @@ Kit fit_kit(const std::vector<ChessMan>& men, int64_t triangles) {
 }
 
 /// A closed surface and where it goes.
-struct Component {
+struct Solid {
   const TriangleMesh* mesh;
   Placement placement;
   std::function<uint32_t(bool mirror)> material;
@@ -95,7 +95,7 @@ Scene make_chess(const ChessOptions& options) {
   Scene scene;
   scene.triangle_positions.reserve(options.triangles + options.triangles / 20);
   ChessMaterials materials(scene, options.reflective_percent.has_value());
-  std::vector<Component> components;
+  std::vector<Solid> components;
   const auto add = [&](const TriangleMesh& mesh, const Placement& placement, const char* name) {
     components.push_back({&mesh, placement, [&, name](bool mirror) { return materials.find(name, mirror); }});
   };

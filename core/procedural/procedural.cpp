@@ -43,14 +43,6 @@ const ProceduralScene* find_procedural(std::string_view name) {
   return nullptr;
 }
 
-SceneShot shot_of(std::string_view scene_argument) {
-  constexpr std::string_view kPrefix = "scene:";
-  if (!scene_argument.starts_with(kPrefix)) return {};
-  const std::string_view rest = scene_argument.substr(kPrefix.size());
-  const ProceduralScene* scene = find_procedural(rest.substr(0, rest.find(',')));
-  return scene ? scene->shot() : SceneShot();
-}
-
 std::string procedural_names() {
   std::string names;
   for (const ProceduralScene& scene : kScenes) names.append(names.empty() ? "" : ", ").append(scene.name);

@@ -29,10 +29,6 @@ std::span<const ProceduralScene> procedural_scenes();
 /// Null when there is none of that name.
 const ProceduralScene* find_procedural(std::string_view name);
 
-/// How the scene that a command's SCENE argument means wants to be looked at: its shot where the argument is
-/// `scene:NAME` with or without options behind it and the name is known, else an empty one.
-SceneShot shot_of(std::string_view scene_argument);
-
 /// "chess, spheres, thin", for messages.
 std::string procedural_names();
 

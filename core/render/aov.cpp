@@ -31,8 +31,7 @@ float arriving_share(const AovSource& source, size_t i) {
   const std::span<const uint8_t> masks = source.lit.empty() ? source.mask : source.lit;
   if (masks.empty()) return 0;
   const size_t pixel_count = masks.size() / source.lights.size();
-  const bool any_casts = std::any_of(source.lights.begin(), source.lights.end(),
-                                     [](const DirectionalLight& light) { return light.casts_shadow; });
+  const bool any_casts = count_shadow_casters(source.lights) > 0;
   int lights = 0, arriving = 0;
   for (size_t l = 0; l < source.lights.size(); ++l) {
     if (any_casts && !source.lights[l].casts_shadow) continue;

@@ -8,16 +8,16 @@
 namespace hybridrt {
 
 template <typename Real>
-void render_on_cpu(const Scene& scene, const RenderSettings& settings, const RayCaster<Real>& caster, ThreadPool& pool,
+void render_on_cpu(const Scene& scene, const SceneFacts& facts, const Topology& topology,
+                   const RenderSettings& settings, const RayCaster<Real>& caster, ThreadPool& pool,
                    const NextFrame& next, const DeliverFrame& deliver) {
-  const SceneFacts facts = make_scene_facts(scene);
   const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
   const size_t pixels = static_cast<size_t>(part.width_px) * part.height_px;
   std::vector<vec4> picture(pixels);
   std::vector<uint32_t> ids(pixels);
   std::vector<uint8_t> lit;
 
-  KeptLightBuffers light_buffers(scene, pool);
+  KeptLightBuffers light_buffers(scene, topology, pool);
   Stopwatch since_last_frame;
   while (const std::optional<FrameRequest> request = next()) {
     const FramePlan plan = make_frame_plan(scene, facts, *request, settings);
@@ -40,9 +40,9 @@ void render_on_cpu(const Scene& scene, const RenderSettings& settings, const Ray
   }
 }
 
-template void render_on_cpu(const Scene&, const RenderSettings&, const RayCaster<float>&, ThreadPool&, const NextFrame&,
-                            const DeliverFrame&);
-template void render_on_cpu(const Scene&, const RenderSettings&, const RayCaster<double>&, ThreadPool&,
-                            const NextFrame&, const DeliverFrame&);
+template void render_on_cpu(const Scene&, const SceneFacts&, const Topology&, const RenderSettings&,
+                            const RayCaster<float>&, ThreadPool&, const NextFrame&, const DeliverFrame&);
+template void render_on_cpu(const Scene&, const SceneFacts&, const Topology&, const RenderSettings&,
+                            const RayCaster<double>&, ThreadPool&, const NextFrame&, const DeliverFrame&);
 
 }  // namespace hybridrt

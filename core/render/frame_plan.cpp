@@ -15,6 +15,12 @@ SceneFacts make_scene_facts(const Scene& scene) {
   return facts;
 }
 
+bool needs_caster(const SceneFacts& facts, const RenderSettings& s, bool light_moves) {
+  if (s.method != Method::hybrid) return s.method != Method::raster;
+  return s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays ||  // primary hits are repaired
+         (s.shadows == ShadowMode::blur && light_moves) || (s.reflection_depth > 0 && !facts.scattering_bounds.empty());
+}
+
 bool may_be_seen(const View& view, const Aabb& box) {
   if (box.empty()) return false;
   // Inward normals of the four side planes through the eye, and the plane of the eye itself.
@@ -43,14 +49,12 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.near_distance = 1e-5 * std::max(size, 1e-30);
 
   const bool hybrid = settings.method == Method::hybrid;
-  const auto casts = [](const DirectionalLight& light) { return light.casts_shadow; };
-  const bool any_casts = std::any_of(plan.lights.begin(), plan.lights.end(), casts);
-  const ShadowMode shadows = any_casts ? settings.shadows : ShadowMode::none;
+  const ShadowMode shadows = count_shadow_casters(plan.lights) > 0 ? settings.shadows : ShadowMode::none;
   plan.shadows = shadows != ShadowMode::none;
   plan.shadow_map = shadows == ShadowMode::map || shadows == ShadowMode::blur;
-  plan.mark = shadows == ShadowMode::blur;
-  plan.settle = hybrid && shadows == ShadowMode::exact;
-  plan.trace_shadows = hybrid && (plan.mark || plan.settle || shadows == ShadowMode::rays);
+  plan.mark_blur = shadows == ShadowMode::blur;
+  plan.mark_exact = hybrid && shadows == ShadowMode::exact;
+  plan.trace_shadows = hybrid && (plan.mark_blur || plan.mark_exact || shadows == ShadowMode::rays);
   // The exact modes see the right triangle too, under any light.
   plan.repair = hybrid && (settings.shadows == ShadowMode::exact || settings.shadows == ShadowMode::rays);
   plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
@@ -58,11 +62,11 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   // Light buffers are worth building for a few rays only if the next frames can use them too.
   const bool asks_light = plan.trace() || settings.method == Method::raytrace;
   plan.light_buffers =
-      plan.shadows && asks_light && (plan.settle || shadows == ShadowMode::rays || !request.light_moves);
+      plan.shadows && asks_light && (plan.mark_exact || shadows == ShadowMode::rays || !request.light_moves);
 
   const uint32_t from_ids = kAovId | kAovDepth | kAovNormal;
   plan.read_ids = plan.trace() || (settings.aovs & from_ids);
-  plan.read_mask = plan.mark || (plan.shadow_map && (settings.aovs & (kAovShadow | kAovMarked)));
+  plan.read_mask = plan.mark_blur || (plan.shadow_map && (settings.aovs & (kAovShadow | kAovMarked)));
   return plan;
 }
 

@@ -23,6 +23,9 @@ struct SceneFacts {
 };
 SceneFacts make_scene_facts(const Scene& scene);
 
+/// True if some frame of the scene may need rays that no light buffer answers, so that a caster must be built.
+bool needs_caster(const SceneFacts& facts, const RenderSettings& settings, bool light_moves);
+
 /// Everything about a frame that is known before it is rendered: a plain value, no GL. What it leaves out
 /// costs nothing.
 struct FramePlan {
@@ -34,9 +37,9 @@ struct FramePlan {
   // What one light that casts shadows needs, all of those get.
   bool shadows = false;          ///< at all, in mirrors too
   bool shadow_map = false;       ///< pass 1 and the shadow test of pass 2
-  bool mark = false;             ///< pass 3 by blurring, on the GPU
-  bool settle = false;           ///< pass 3 by proof, on the CPU
-  bool repair = false;           ///< pass 4 first settles which triangle is seen where the raster may be wrong
+  bool mark_blur = false;        ///< pass 3 as in the paper, by blurring the shadow test
+  bool mark_exact = false;       ///< pass 3 by the light buffer's cells: what they cannot answer is marked
+  bool repair = false;           ///< pass 4 first finds out which triangle is seen where the raster may be wrong
   bool trace_shadows = false;    ///< pass 4 decides which pixels are lit
   bool trace_scattered = false;  ///< pass 4 follows reflected and refracted rays
   bool light_buffers = false;    ///< answer all shadow rays; else they are traced

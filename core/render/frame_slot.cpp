@@ -18,20 +18,27 @@ FrameSlot::FrameSlot(const gl::Functions& gl, const RenderSettings& s, size_t li
       ids_readback(gl, pixel_count(s) * sizeof(uint32_t), "reading back ids"),
       mask_readback(gl, light_count * pixel_count(s), "reading back the shadow mask"),
       repaired_ids(s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays ? pixel_count(s) : 0),
-      settled_mask(s.shadows == ShadowMode::exact ? light_count * pixel_count(s) : 0),
+      marked_mask(s.shadows == ShadowMode::exact ? light_count * pixel_count(s) : 0),
       lit_pixels(light_count * pixel_count(s)),
       traced_pixels(pixel_count(s)) {
   for (size_t i = 0; i < static_cast<size_t>(PassId::count); ++i) timers.emplace_back(gl);
 }
 
-std::span<const uint32_t> FrameSlot::read_ids() const {
+void FrameSlot::begin(FramePlan next) {
+  plan = std::move(next);
+  cpu = {};
+  for (gl::TimerQuery& timer : timers) timer.skip();
+}
+
+std::span<const uint32_t> FrameSlot::rasterised_ids() const {
   if (!plan.read_ids) return {};
-  if (repaired) return repaired_ids;
   return {static_cast<const uint32_t*>(ids_readback.data()), traced_pixels.size()};
 }
 
+std::span<const uint32_t> FrameSlot::seen_ids() const { return plan.repair ? repaired_ids : rasterised_ids(); }
+
 std::span<const uint8_t> FrameSlot::read_mask() const {
-  if (plan.settle) return settled_mask;
+  if (plan.mark_exact) return marked_mask;
   if (!plan.read_mask) return {};
   return {static_cast<const uint8_t*>(mask_readback.data()), lit_pixels.size()};
 }

@@ -15,6 +15,12 @@
 
 namespace hybridrt {
 
+/// What passes 3 and 4 say of a frame, besides its pixels.
+struct CpuResults {
+  TraceStats stats;
+  double trace_ms = 0, light_buffer_ms = 0, mark_ms = 0;
+};
+
 /// What one frame in flight owns: the paper's doubled camera, light and framebuffer. Pass 4 writes the
 /// CPU arrays on other threads while the GL thread works on another slot.
 struct FrameSlot {
@@ -30,19 +36,22 @@ struct FrameSlot {
   gl::Readback ids_readback, mask_readback;
   std::vector<gl::TimerQuery> timers;  ///< by PassId
 
+  // Memory for passes 3 and 4, kept from frame to frame.
   std::vector<uint32_t> repaired_ids;
-  std::vector<uint8_t> settled_mask;  ///< of pass 3 on the CPU, light after light
-  UnsettledShadows unsettled;
+  std::vector<uint8_t> marked_mask;  ///< of pass 3 on the CPU, light after light
+  MarkedShadows marked;
   std::vector<uint8_t> lit_pixels;  ///< light after light
   std::vector<vec4> traced_pixels;
-  TraceStats stats;
-  double trace_ms = 0, light_buffer_ms = 0, settle_ms = 0, repair_ms = 0;
-  bool repaired = false;                 ///< pass 4 has been there
+  CpuResults cpu;
   std::shared_future<void> traced_done;  ///< pass 4, when it runs beside the GL thread
 
+  /// Takes the slot over for another frame: nothing of the last one is left to be reported.
+  void begin(FramePlan next);
+
   gl::TimerQuery& timer(PassId pass) { return timers[static_cast<size_t>(pass)]; }
-  std::span<const uint32_t> read_ids() const;  ///< of pass 2, or repaired as soon as they are
-  std::span<const uint8_t> read_mask() const;  ///< of pass 2 or 3; empty when the plan has none
+  std::span<const uint32_t> rasterised_ids() const;  ///< of pass 2, read back; empty when the plan reads none
+  std::span<const uint32_t> seen_ids() const;        ///< the same, but repaired where the plan repairs
+  std::span<const uint8_t> read_mask() const;        ///< of pass 2 or 3; empty when the plan has none
 };
 
 }  // namespace hybridrt

@@ -21,29 +21,24 @@ const gl::Context& require_size(const gl::Context& context, const RenderSettings
 
 /// For --aov marked; with any light.
 void mark_repaired(FrameSlot& slot) {
-  const auto* rasterised = static_cast<const uint32_t*>(slot.ids_readback.data());
+  const std::span<const uint32_t> rasterised = slot.rasterised_ids();
   const size_t pixel_count = slot.repaired_ids.size();
-  for (size_t first = 0; first < slot.settled_mask.size(); first += pixel_count)
+  for (size_t first = 0; first < slot.marked_mask.size(); first += pixel_count)
     for (size_t i = 0; i < pixel_count; ++i)
-      if (slot.repaired_ids[i] != rasterised[i]) slot.settled_mask[first + i] |= HRT_MASK_REPAIRED;
+      if (slot.repaired_ids[i] != rasterised[i]) slot.marked_mask[first + i] |= HRT_MASK_REPAIRED;
 }
 
 }  // namespace
 
-bool needs_caster(const SceneFacts& facts, const RenderSettings& s, bool light_moves) {
-  if (s.method != Method::hybrid) return s.method != Method::raster;
-  return s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays ||  // primary hits are repaired
-         (s.shadows == ShadowMode::blur && light_moves) || (s.reflection_depth > 0 && !facts.scattering_bounds.empty());
-}
-
 GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene,
-                       const RenderSettings& s, size_t light_count, const RayCaster<float>* caster, ThreadPool& pool)
+                       const SceneFacts& facts, const Topology& topology, const RenderSettings& s, size_t light_count,
+                       const RayCaster<float>* caster, ThreadPool& pool)
     : gl_(require_size(context, s).functions()),
       scene_(scene),
       settings_(s),
       caster_(caster),
       pool_(pool),
-      facts_(make_scene_facts(scene)),
+      facts_(facts),
       light_count_(light_count),
       scene_gpu_(context, scene),
       shadow_map_pass_(gl_, shaders, scene_gpu_.has_holes()),
@@ -56,7 +51,7 @@ GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shad
       picture_(gl_, GL_RGBA32F, part_.width_px, part_.height_px, "picture"),
       picture_readback_(gl_, sizeof(vec4) * static_cast<size_t>(part_.width_px) * part_.height_px,
                         "downloading the picture"),
-      light_buffers_(scene, pool) {
+      light_buffers_(scene, topology, pool) {
   HRT_CHECK(light_count <= HRT_MAX_LIGHTS);
   if (uses_shadow_map(s)) {
     for (size_t l = 0; l < light_count; ++l) {
@@ -97,7 +92,7 @@ void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
     if (in_flight.size() == slots_.size()) finish_oldest();
     FrameSlot& slot = slots_[turn++ % slots_.size()];
     HRT_CHECK_EQ(request->lights.size(), light_count_);
-    slot.plan = make_frame_plan(scene_, facts_, *request, settings_);
+    slot.begin(make_frame_plan(scene_, facts_, *request, settings_));
     rasterize(slot);
     if (!interleave) {
       trace(slot);
@@ -145,7 +140,7 @@ void GlRenderer::test_shadows(FrameSlot& slot) {
     if (plan.casts_shadow(l))
       shadow_test_pass_.run(
           {scene_gpu_, plan.view, plan.lights[l].toward, shadow_maps_[l].fit, slot.ids, shadow_maps_[l].depth},
-          {plan.mark ? unmarked_mask_ : slot.mask, static_cast<int>(l)});
+          {plan.mark_blur ? unmarked_mask_ : slot.mask, static_cast<int>(l)});
 }
 
 void GlRenderer::mark_boundaries(FrameSlot& slot) {
@@ -161,8 +156,6 @@ void GlRenderer::mark_boundaries(FrameSlot& slot) {
 
 void GlRenderer::rasterize(FrameSlot& slot) {
   const FramePlan& plan = slot.plan;
-  for (gl::TimerQuery& timer : slot.timers) timer.skip();
-
   slot.timer(PassId::id).begin();
   id_pass_.run({scene_gpu_, plan.view, plan.near_distance}, {slot.id_target});
   if (plan.shadow_map) {
@@ -170,7 +163,7 @@ void GlRenderer::rasterize(FrameSlot& slot) {
     test_shadows(slot);
   }
   slot.timer(PassId::id).end();
-  if (plan.mark) mark_boundaries(slot);
+  if (plan.mark_blur) mark_boundaries(slot);
 
   if (!plan.read_ids && !plan.read_mask) return;
   slot.timer(PassId::readback).begin();
@@ -183,46 +176,44 @@ void GlRenderer::rasterize(FrameSlot& slot) {
 }
 
 void GlRenderer::trace(FrameSlot& slot) {
-  slot.stats = {};
-  slot.trace_ms = slot.light_buffer_ms = slot.settle_ms = slot.repair_ms = 0;
-  slot.repaired = false;
-  if (!slot.plan.trace()) return;
-  HRT_CHECK(caster_ || (slot.plan.light_buffers && !slot.plan.trace_scattered && !slot.plan.repair));
+  const FramePlan& plan = slot.plan;
+  if (!plan.trace()) return;
+  HRT_CHECK(caster_ || (plan.light_buffers && !plan.trace_scattered && !plan.repair));
+  CpuResults& cpu = slot.cpu;
   const Stopwatch stopwatch;
   RepairStats repair;
-  if (slot.plan.repair) {
-    repair = repair_primary_hits(scene_, slot.plan.view, *caster_, pool_, slot.read_ids(), slot.repaired_ids);
-    slot.repaired = true;
-    slot.repair_ms = stopwatch.elapsed_ms();
+  double repair_ms = 0;
+  if (plan.repair) {
+    repair = repair_primary_hits(scene_, plan.view, *caster_, pool_, slot.rasterised_ids(), slot.repaired_ids);
+    repair_ms = stopwatch.elapsed_ms();
   }
-  TraceJob job = make_trace_job(scene_, slot.plan, settings_);
-  if (slot.plan.light_buffers) slot.light_buffer_ms = light_buffers_.answer(job);
-  if (slot.plan.settle) {
-    const Stopwatch settling;
-    settle_shadows(job, pool_, slot.read_ids(), slot.settled_mask, slot.lit_pixels, slot.unsettled);
+  TraceJob job = make_trace_job(scene_, plan, settings_);
+  if (plan.light_buffers) cpu.light_buffer_ms = light_buffers_.answer(job);
+  if (plan.mark_exact) {
+    const Stopwatch marking;
+    mark_boundary(job, pool_, slot.seen_ids(), slot.marked_mask, slot.lit_pixels, slot.marked);
     if (settings_.aovs & kAovMarked) mark_repaired(slot);
-    slot.settle_ms = settling.elapsed_ms();
+    cpu.mark_ms = marking.elapsed_ms();
+    cpu.stats = answer_marked(job, pool_, slot.marked, slot.lit_pixels);
   }
-  TracePixels pixels{slot.read_ids(), slot.read_mask(), {}, {}};
-  if (slot.plan.trace_shadows && !slot.plan.settle) pixels.lit = slot.lit_pixels;
-  if (slot.plan.trace_scattered) pixels.traced = slot.traced_pixels;
-  if (slot.plan.settle) slot.stats = answer_unsettled(job, pool_, slot.unsettled, slot.lit_pixels);
-  if (!pixels.lit.empty() || !pixels.traced.empty()) slot.stats.add(trace_pass(job, caster_, pool_, pixels));
-  slot.stats.pixels_suspect = repair.suspects;
-  slot.stats.pixels_repaired = repair.repaired;
-  slot.stats.repair_ms = slot.repair_ms;
-  slot.trace_ms = stopwatch.elapsed_ms() - slot.light_buffer_ms - slot.settle_ms;
+  TracePixels pixels{slot.seen_ids(), slot.read_mask(), {}, {}};
+  if (plan.trace_shadows && !plan.mark_exact) pixels.lit = slot.lit_pixels;
+  if (plan.trace_scattered) pixels.traced = slot.traced_pixels;
+  if (!pixels.lit.empty() || !pixels.traced.empty()) cpu.stats.add(trace_pass(job, caster_, pool_, pixels));
+  cpu.stats.pixels_suspect = repair.suspects;
+  cpu.stats.pixels_repaired = repair.repaired;
+  cpu.stats.repair_ms = repair_ms;
+  cpu.trace_ms = stopwatch.elapsed_ms() - cpu.light_buffer_ms - cpu.mark_ms;
 }
 
-Frame GlRenderer::shade(FrameSlot& slot) {
+double GlRenderer::upload(FrameSlot& slot) {
   const FramePlan& plan = slot.plan;
-  if (slot.traced_done.valid()) std::exchange(slot.traced_done, {}).get();
-
+  if (!plan.trace()) return 0;
   const int width = plan.view.width_px, height = plan.view.height_px;
-  const Stopwatch uploading;  // the driver copies on this thread before the GPU sees anything
-  if (plan.trace()) slot.timer(PassId::upload).begin();
+  const Stopwatch copying;  // the driver copies on this thread before the GPU sees anything
+  slot.timer(PassId::upload).begin();
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  if (slot.stats.pixels_repaired > 0)
+  if (slot.cpu.stats.pixels_repaired > 0)
     gl_.TextureSubImage2D(slot.ids.id(), 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT,
                           slot.repaired_ids.data());
   if (plan.trace_shadows)
@@ -230,8 +221,14 @@ Frame GlRenderer::shade(FrameSlot& slot) {
                           GL_RED_INTEGER, GL_UNSIGNED_BYTE, slot.lit_pixels.data());
   if (plan.trace_scattered)
     gl_.TextureSubImage2D(slot.traced.id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, slot.traced_pixels.data());
-  if (plan.trace()) slot.timer(PassId::upload).end();
-  const double copying_ms = plan.trace() ? uploading.elapsed_ms() : 0;
+  slot.timer(PassId::upload).end();
+  return copying.elapsed_ms();
+}
+
+Frame GlRenderer::shade(FrameSlot& slot) {
+  const FramePlan& plan = slot.plan;
+  if (slot.traced_done.valid()) std::exchange(slot.traced_done, {}).get();
+  const double copying_ms = upload(slot);
 
   slot.timer(PassId::shade).begin();
   const gl::TextureArray* mask = plan.trace_shadows ? &slot.lit : plan.shadow_map ? &slot.mask : nullptr;
@@ -246,23 +243,29 @@ Frame GlRenderer::shade(FrameSlot& slot) {
   gl_.Flush();
   picture_readback_.wait();
 
+  Frame frame = make_frame(slot);
+  frame.timings[PassId::upload] += copying_ms;
+  return frame;
+}
+
+Frame GlRenderer::make_frame(FrameSlot& slot) const {
+  const FramePlan& plan = slot.plan;
+  const PixelRect kept = kept_of_rendered(settings_);
   Frame frame;
   frame.number = plan.number;
-  frame.stats = slot.stats;
+  frame.stats = slot.cpu.stats;
   const Stopwatch unpacking;
-  const PixelRect kept = kept_of_rendered(settings_);
-  frame.picture = picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), width, height, kept,
-                                    frame.stats.pixels_hit);
+  frame.picture = picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), plan.view.width_px,
+                                    plan.view.height_px, kept, frame.stats.pixels_hit);
   const double unpacking_ms = unpacking.elapsed_ms();
   for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
   frame.timings[PassId::id] -= frame.timings[PassId::shadow_map];  // which lies between ids and shadow test
-  frame.timings[PassId::trace] = slot.trace_ms;
-  frame.timings[PassId::shadow_map] += slot.light_buffer_ms;  // the other structure of pass 1
-  frame.timings[PassId::mark] += slot.settle_ms;
-  frame.timings[PassId::upload] += copying_ms;
+  frame.timings[PassId::trace] = slot.cpu.trace_ms;
+  frame.timings[PassId::shadow_map] += slot.cpu.light_buffer_ms;  // the other structure of pass 1
+  frame.timings[PassId::mark] += slot.cpu.mark_ms;
   frame.timings[PassId::download] += unpacking_ms;
 
-  AovSource source{plan.lights, slot.read_ids(), slot.read_mask(), {}, {}};
+  AovSource source{plan.lights, slot.seen_ids(), slot.read_mask(), {}, {}};
   if (plan.trace_shadows) source.lit = slot.lit_pixels;
   if (plan.trace_scattered) source.traced = slot.traced_pixels;
   frame.aovs = make_aovs(scene_, plan.view, kept, source, settings_.aovs);

@@ -16,9 +16,6 @@
 
 namespace hybridrt {
 
-/// True if some frame of the scene may need rays that no light buffer answers, so that a caster must be built.
-bool needs_caster(const SceneFacts& facts, const RenderSettings& settings, bool light_moves);
-
 /// The paper's five passes over a sequence. With one frame in flight, pass follows pass; with more, pass 4
 /// of a frame runs on the thread pool while the GL thread draws its neighbours (section 3.5, figure 4). The
 /// pictures are the same. Lives and renders on the thread that the context is current on.
@@ -26,8 +23,9 @@ class GlRenderer {
  public:
   /// Every frame must have `light_count` lights. `caster` may be null if !needs_caster(). Everything handed in must
   /// outlive the renderer. Throws Error(device) when a size is over the device's limits.
-  GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene,
-             const RenderSettings& settings, size_t light_count, const RayCaster<float>* caster, ThreadPool& pool);
+  GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene, const SceneFacts& facts,
+             const Topology& topology, const RenderSettings& settings, size_t light_count,
+             const RayCaster<float>* caster, ThreadPool& pool);
   ~GlRenderer();
 
   void render(const NextFrame& next, const DeliverFrame& deliver);
@@ -38,14 +36,16 @@ class GlRenderer {
   void test_shadows(FrameSlot& slot);        ///< pass 2's second step
   void mark_boundaries(FrameSlot& slot);     ///< pass 3 on the GPU
   void trace(FrameSlot& slot);               ///< pass 4; any thread
+  double upload(FrameSlot& slot);            ///< what pass 4 made; returns this thread's milliseconds
   Frame shade(FrameSlot& slot);              ///< pass 5; waits for pass 4
+  Frame make_frame(FrameSlot& slot) const;   ///< of the downloaded picture
 
   const gl::Functions& gl_;
   const Scene& scene_;
   const RenderSettings settings_;
   const RayCaster<float>* caster_;
   ThreadPool& pool_;
-  const SceneFacts facts_;
+  const SceneFacts& facts_;
   const size_t light_count_;
 
   SceneGpu scene_gpu_;

@@ -11,8 +11,9 @@ namespace hybridrt {
 /// The light buffers of a sequence, one a light: built when first asked for, and again only when the light has moved.
 class KeptLightBuffers {
  public:
-  /// Scene and pool must outlive it.
-  KeptLightBuffers(const Scene& scene, ThreadPool& pool) : scene_(scene), pool_(pool) {}
+  /// All three must outlive it.
+  KeptLightBuffers(const Scene& scene, const Topology& topology, ThreadPool& pool)
+      : scene_(scene), topology_(topology), pool_(pool) {}
   KeptLightBuffers(const KeptLightBuffers&) = delete;
   KeptLightBuffers& operator=(const KeptLightBuffers&) = delete;
 
@@ -33,7 +34,7 @@ class KeptLightBuffers {
     std::optional<LightBuffer>& buffer = buffers_[light];
     if (buffer && buffer->toward == toward) return *buffer;
     const Stopwatch building;
-    if (!sheets_) sheets_ = make_sheets(scene_, build_topology(scene_, pool_), pool_);
+    if (!sheets_) sheets_ = make_sheets(scene_, topology_, pool_);
     buffer.reset();  // before its successor needs the memory
     buffer = build_light_buffer(scene_, *sheets_, toward, pool_);
     build_ms += building.elapsed_ms();
@@ -41,6 +42,7 @@ class KeptLightBuffers {
   }
 
   const Scene& scene_;
+  const Topology& topology_;
   ThreadPool& pool_;
   std::optional<Sheets> sheets_;
   std::vector<std::optional<LightBuffer>> buffers_;  ///< by light

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/memory.h"
-#include "core/render/gl_renderer.h"
+#include "core/trace/light_buffer.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
@@ -14,11 +14,6 @@ namespace {
 // Measured on balls, a cathedral, a car and a scan of 75,000 to a million triangles: 77 to 115 and 58 to 62.
 constexpr size_t kEmbreeBytesATriangle = 90, kKdTreeBytesATriangle = 62;
 constexpr size_t kLightBufferBytesATriangle = 145;  // 85 to 130, and the sheets' 13
-
-template <typename T>
-size_t bytes_of(const std::vector<T>& values) {
-  return values.size() * sizeof(T);
-}
 
 size_t geometry_bytes(const Scene& scene) {
   return bytes_of(scene.positions) + bytes_of(scene.normals) + bytes_of(scene.triangle_positions) +
@@ -53,8 +48,8 @@ size_t cpu_frame_bytes(const RenderSettings& s, size_t lights) {
   if (!uses_gl(s)) return rendered_pixels(s) * (traced + ids + lit);
   size_t slot = lit + traced;
   if (s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays) slot += ids;  // repaired
-  constexpr size_t kUnsettled = sizeof(ShadowQuery) / 4;  // what is left of a pixel's question: of one in four
-  if (s.shadows == ShadowMode::exact) slot += lights * (1 + kUnsettled);
+  constexpr size_t kMarked = sizeof(ShadowQuery) / 4;  // what is left of a pixel's question: of one in four
+  if (s.shadows == ShadowMode::exact) slot += lights * (1 + kMarked);
   return rendered_pixels(s) * s.frames_in_flight * slot;
 }
 
@@ -77,13 +72,15 @@ MemoryEstimate estimate_frame_memory(const RenderSettings& s, size_t light_count
   return estimate;
 }
 
-MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const RenderSettings& s, Accel accel,
-                               size_t light_count, bool light_moves, int threads, int64_t frame_count) {
+MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const Topology& topology,
+                               const RenderSettings& s, size_t light_count, bool light_moves, int threads,
+                               int64_t frame_count) {
   MemoryEstimate estimate = estimate_frame_memory(s, light_count, threads, frame_count);
+  estimate.topology = memory_bytes(topology);
   estimate.scene = geometry_bytes(scene) + bytes_of(scene.materials);
   if (uses_gl(s))
     estimate.gpu_scene = geometry_bytes(scene) + scene.materials.size() * HRT_MATERIAL_TEXELS * sizeof(vec4);
-  const bool kd_tree = accel == Accel::kdtree || s.method == Method::reference;
+  const bool kd_tree = s.accel == Accel::kdtree || s.method == Method::reference;
   if (needs_caster(facts, s, light_moves))
     estimate.accelerator = scene.triangle_count() * (kd_tree ? kKdTreeBytesATriangle : kEmbreeBytesATriangle);
   const bool scatters = s.reflection_depth > 0 && !facts.scattering_bounds.empty();

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/mesh/topology.h"
 #include "core/render/frame_plan.h"
 
 namespace hybridrt {
@@ -10,21 +11,23 @@ namespace hybridrt {
 /// Bytes that a run will hold, known before it starts. Drivers add their own.
 struct MemoryEstimate {
   size_t scene = 0;        ///< the arrays of Scene
+  size_t topology = 0;     ///< how its triangles hang together
   size_t gpu_scene = 0;    ///< their copies for the GPU; 0 for methods without GL
   size_t gpu_frames = 0;   ///< textures and readback buffers of all frames in flight, and the shadow maps
   size_t frames = 0;       ///< what the processor keeps of them
   size_t pictures = 0;     ///< that wait to be written, at most
   size_t accelerator = 0;  ///< of rays, the lights' too; rough; 0 when no frame can need any
 
-  size_t total() const { return scene + gpu_scene + gpu_frames + frames + pictures + accelerator; }
+  size_t total() const { return scene + topology + gpu_scene + gpu_frames + frames + pictures + accelerator; }
 };
 
 /// The part that is known without a scene: gpu_frames, frames and pictures of a sequence of `frame_count`.
 MemoryEstimate estimate_frame_memory(const RenderSettings& settings, size_t light_count, int threads,
                                      int64_t frame_count);
 
-MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const RenderSettings& settings, Accel accel,
-                               size_t light_count, bool light_moves, int threads, int64_t frame_count);
+MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const Topology& topology,
+                               const RenderSettings& settings, size_t light_count, bool light_moves, int threads,
+                               int64_t frame_count);
 
 /// Throws Error (usage) that says what to do, if the frames alone need more than `most_bytes`. What is on the GPU
 /// counts too: a software GL keeps it in main memory.

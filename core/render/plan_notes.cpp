@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "core/render/gl_renderer.h"
-
 namespace hybridrt {
 namespace {
 
@@ -36,8 +34,8 @@ StepNote shadow_map_note(const FramePlan& plan, const RenderSettings& s, bool li
 
 StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 3 boundaries";
-  if (plan.settle) return {kStep, Runs::each_frame, "by proof, from the light buffer's cells"};
-  if (!plan.mark) return left_out(kStep, shadows_option(s) + " marks none");
+  if (plan.mark_exact) return {kStep, Runs::each_frame, "where the light buffer's cells cannot answer"};
+  if (!plan.mark_blur) return left_out(kStep, shadows_option(s) + " marks none");
   return {kStep, Runs::each_frame, fmt::format("{0} x {0} blur of the shadow test", s.blur_kernel_px)};
 }
 
@@ -56,8 +54,8 @@ StepNote repair_note(const FramePlan& plan) {
 
 StepNote shadow_rays_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 4 shadow rays";
-  if (plan.mark) return {kStep, Runs::each_frame, "at the pixels that pass 3 marks"};
-  if (plan.settle) return {kStep, Runs::each_frame, "at the pixels that pass 3 cannot settle"};
+  if (plan.mark_blur) return {kStep, Runs::each_frame, "at the pixels that pass 3 marks"};
+  if (plan.mark_exact) return {kStep, Runs::each_frame, "at the pixels that pass 3 marks"};
   if (s.shadows == ShadowMode::rays)
     return {kStep, Runs::each_frame, "at every pixel that faces the light" + for_each_light(plan)};
   return left_out(kStep, plan.shadow_map ? "the shadow map decides alone" : "--shadows none");
@@ -74,10 +72,10 @@ StepNote scattered_note(const FramePlan& plan, const SceneFacts& facts, const Re
           fmt::format("up to {} generations of reflected and refracted rays", s.reflection_depth)};
 }
 
-StepNote accelerator_note(const SceneFacts& facts, const RenderSettings& s, Accel accel, bool light_moves) {
+StepNote accelerator_note(const SceneFacts& facts, const RenderSettings& s, bool light_moves) {
   constexpr std::string_view kStep = "ray accelerator";
   if (!needs_caster(facts, s, light_moves)) return left_out(kStep, "no frame can need its rays");
-  const std::string_view name = s.method == Method::reference ? "kdtree, double precision" : name_of(accel);
+  const std::string_view name = s.method == Method::reference ? "kdtree, double precision" : name_of(s.accel);
   return {kStep, Runs::once, fmt::format("{}, before the first frame", name)};
 }
 
@@ -98,11 +96,11 @@ std::string_view name_of(Runs runs) {
   return "?";
 }
 
-std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& facts, const RenderSettings& s, Accel accel,
+std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& facts, const RenderSettings& s,
                                    bool light_moves) {
   if (s.method == Method::raytrace || s.method == Method::reference) {
     const std::string method = fmt::format("--method {}", name_of(s.method));
-    return {accelerator_note(facts, s, accel, light_moves),
+    return {accelerator_note(facts, s, light_moves),
             light_buffer_note(plan, light_moves),
             left_out("other passes 1 to 3", method + " works without GL"),
             {"primary rays", Runs::each_frame, pixels(s)},
@@ -110,7 +108,7 @@ std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& fact
             scattered_note(plan, facts, s),
             left_out("pass 5 shading", "done ray by ray")};
   }
-  return {accelerator_note(facts, s, accel, light_moves),
+  return {accelerator_note(facts, s, light_moves),
           shadow_map_note(plan, s, light_moves),
           light_buffer_note(plan, light_moves),
           {"pass 2 triangle ids", Runs::each_frame, pixels(s) + (plan.shadow_map ? ", with the shadow test" : "")},

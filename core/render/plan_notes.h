@@ -21,6 +21,6 @@ struct StepNote {
 /// The steps of the frame that `plan` is for, in the order they run in, those left out too. `plan` and
 /// `facts` as made from the same settings.
 std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& facts, const RenderSettings& settings,
-                                   Accel accel, bool light_moves);
+                                   bool light_moves);
 
 }  // namespace hybridrt

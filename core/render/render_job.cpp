@@ -6,16 +6,22 @@
 #include "core/render/samples.h"
 
 namespace hybridrt {
+
+void set_scene(RenderJob& job, Scene scene, ThreadPool& pool) {
+  job.scene = std::move(scene);
+  job.facts = make_scene_facts(job.scene);
+  job.topology = build_topology(job.scene, pool);
+}
+
 FrameRequest frame_request(const RenderJob& job, int frame) {
   return {frame, camera_at(job.motion, frame), lights_at(job.lights, job.motion, frame),
           lights_move(job.lights, job.motion)};
 }
 
-RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& starting,
+RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(const RunFacts&)>& starting,
              const std::function<bool()>& stop, const DeliverFrame& deliver_frame) {
   const Stopwatch preparing;
   RunFacts facts;
-  ThreadPool pool(job.threads);
   FrameCursor cursor(job.frames);
   const auto next_frame = [&]() -> std::optional<FrameRequest> {
     if (stop()) return std::nullopt;
@@ -37,9 +43,9 @@ RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& s
   // The default camera may have needed one already.
   SceneCaster<float> built;
   const auto caster = [&]() -> const RayCaster<float>& {
-    if (!job.caster.caster) built = make_scene_caster(job.scene, job.accel, pool);
+    if (!job.caster.caster) built = make_scene_caster(job.scene, job.settings.accel, pool);
     const SceneCaster<float>& used = job.caster.caster ? job.caster : built;
-    remember(used, name_of(job.accel));
+    remember(used, name_of(job.settings.accel));
     return *used.caster;
   };
 
@@ -47,20 +53,19 @@ RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& s
     const SceneCaster<double> reference = make_reference_scene_caster(job.scene, pool);
     remember(reference, "kdtree (double)");
     ready();
-    render_on_cpu(job.scene, job.settings, *reference.caster, pool, next, deliver);
+    render_on_cpu(job.scene, job.facts, job.topology, job.settings, *reference.caster, pool, next, deliver);
   } else if (job.settings.method == Method::raytrace) {
     const RayCaster<float>& rays = caster();
     ready();
-    render_on_cpu(job.scene, job.settings, rays, pool, next, deliver);
+    render_on_cpu(job.scene, job.facts, job.topology, job.settings, rays, pool, next, deliver);
   } else {
     gl::ContextRequest request = job.gl;
-    request.threads = job.threads;
+    request.threads = pool.size();
     const std::unique_ptr<gl::Context> context = gl::open_context(request);
     facts.gl = context->info();
-    const bool rays_needed =
-        needs_caster(make_scene_facts(job.scene), job.settings, lights_move(job.lights, job.motion));
-    GlRenderer renderer(*context, job.shaders, job.scene, job.settings, job.lights.lights.size(),
-                        rays_needed ? &caster() : nullptr, pool);
+    const bool rays_needed = needs_caster(job.facts, job.settings, lights_move(job.lights, job.motion));
+    GlRenderer renderer(*context, job.shaders, job.scene, job.facts, job.topology, job.settings,
+                        job.lights.lights.size(), rays_needed ? &caster() : nullptr, pool);
     ready();
     renderer.render(next, deliver);
   }

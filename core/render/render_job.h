@@ -17,17 +17,20 @@ namespace hybridrt {
 /// All that decides a run, once everything asked for has been read.
 struct RenderJob {
   Scene scene;
+  SceneFacts facts;   ///< of `scene`
+  Topology topology;  ///< of `scene`
   RenderSettings settings;
   FrameSpec frames;
   CameraMotion motion;
   LightMotion lights;
-  Accel accel = Accel::embree;
-  SceneCaster<float> caster;  ///< of `scene` by `accel`, if it was needed already; else run() builds one
-  int threads = 1;
+  SceneCaster<float> caster;  ///< of `scene` by settings.accel, if it was needed already; else run() builds one
   uint64_t most_bytes = std::numeric_limits<uint64_t>::max();  ///< of memory, as the estimates go
-  gl::ContextRequest gl;                                       ///< its `threads` is set from `threads`
+  gl::ContextRequest gl;                                       ///< its `threads` is set from the pool's
   gl::ShaderSources shaders;                                   ///< for the methods that use GL
 };
+
+/// Gives the job its scene and works out, once for the run, what hangs on it.
+void set_scene(RenderJob& job, Scene scene, ThreadPool& pool);
 
 /// Camera and lights of a frame.
 FrameRequest frame_request(const RenderJob& job, int frame);
@@ -40,9 +43,9 @@ struct RunFacts {
   double ready_ms = 0;  ///< everything before the first frame
 };
 
-/// Opens the context, builds what the job needs, renders its frames in order. `starting` is called once,
-/// before the first frame; `stop` is asked before each frame. Throws what its parts throw.
-RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& starting,
+/// Opens the context, builds what the job needs, renders its frames in order on the threads of `pool`. `starting` is
+/// called once, before the first frame; `stop` is asked before each frame. Throws what its parts throw.
+RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(const RunFacts&)>& starting,
              const std::function<bool()>& stop, const DeliverFrame& deliver);
 
 }  // namespace hybridrt

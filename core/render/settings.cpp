@@ -6,31 +6,6 @@
 
 namespace hybridrt {
 
-std::string_view name_of(Method method) {
-  switch (method) {
-    case Method::hybrid: return "hybrid";
-    case Method::raster: return "raster";
-    case Method::raytrace: return "raytrace";
-    case Method::reference: return "reference";
-  }
-  return "?";
-}
-
-std::string_view name_of(ShadowMode shadows) {
-  switch (shadows) {
-    case ShadowMode::none: return "none";
-    case ShadowMode::map: return "map";
-    case ShadowMode::blur: return "blur";
-    case ShadowMode::exact: return "exact";
-    case ShadowMode::rays: return "rays";
-  }
-  return "?";
-}
-
-std::string_view name_of(ShadowWarp warp) { return warp == ShadowWarp::uniform ? "uniform" : "lispsm"; }
-
-std::string_view name_of(Accel accel) { return accel == Accel::kdtree ? "kdtree" : "embree"; }
-
 PixelRect picture_rect(const RenderSettings& s) { return s.crop.value_or(PixelRect{0, 0, s.width_px, s.height_px}); }
 
 PixelRect rendered_rect(const RenderSettings& s) {

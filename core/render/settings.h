@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/math.h"
+#include "core/base/named.h"
 
 namespace hybridrt {
 
@@ -13,10 +14,22 @@ enum class ShadowMode { none, map, blur, exact, rays };
 enum class ShadowWarp { uniform, lispsm };  ///< of the shadow map of map and blur
 enum class Accel { kdtree, embree };
 
-std::string_view name_of(Method method);
-std::string_view name_of(ShadowMode shadows);
-std::string_view name_of(ShadowWarp warp);
-std::string_view name_of(Accel accel);
+inline constexpr Named<Method> kMethods[] = {{"hybrid", Method::hybrid},
+                                             {"raster", Method::raster},
+                                             {"raytrace", Method::raytrace},
+                                             {"reference", Method::reference}};
+inline constexpr Named<ShadowMode> kShadowModes[] = {{"none", ShadowMode::none},
+                                                     {"map", ShadowMode::map},
+                                                     {"blur", ShadowMode::blur},
+                                                     {"exact", ShadowMode::exact},
+                                                     {"rays", ShadowMode::rays}};
+inline constexpr Named<ShadowWarp> kShadowWarps[] = {{"uniform", ShadowWarp::uniform}, {"lispsm", ShadowWarp::lispsm}};
+inline constexpr Named<Accel> kAccels[] = {{"kdtree", Accel::kdtree}, {"embree", Accel::embree}};
+
+constexpr std::string_view name_of(Method method) { return name_in(kMethods, method); }
+constexpr std::string_view name_of(ShadowMode shadows) { return name_in(kShadowModes, shadows); }
+constexpr std::string_view name_of(ShadowWarp warp) { return name_in(kShadowWarps, warp); }
+constexpr std::string_view name_of(Accel accel) { return name_in(kAccels, accel); }
 
 /// Which pictures besides the final one a frame keeps (the paper's figure 3); bits.
 enum Aov : uint32_t {
@@ -28,10 +41,13 @@ enum Aov : uint32_t {
   kAovNormal = 32,  ///< shading normal, (n + 1) / 2
 };
 
+inline constexpr Named<uint32_t> kAovs[] = {{"id", kAovId},         {"shadow", kAovShadow}, {"marked", kAovMarked},
+                                            {"traced", kAovTraced}, {"depth", kAovDepth},   {"normal", kAovNormal}};
+
 /// Values of the AOV `marked`.
 enum MarkReason {
   kNotMarked = 0,
-  kMarkedBoundary = 1,  ///< near a shadow's edge, or not settled by proof; white
+  kMarkedBoundary = 1,  ///< near a shadow's edge, or not answered by the light buffer's cells; white
   kMarkedInside = 2,    ///< its point may lie inside a closed body; red
   kMarkedRepaired = 3,  ///< another triangle than the rasterised one is seen at the pixel's centre; yellow
 };
@@ -41,17 +57,20 @@ struct PixelRect {
   int x_px = 0, y_px = 0, width_px = 0, height_px = 0;
 };
 
+inline constexpr int kLargestBlurKernel_px = 31;
+
 /// How frames are rendered; what is in them is Scene's and Camera's part.
 struct RenderSettings {
   int width_px = 1024, height_px = 768;  ///< of the frame
   std::optional<PixelRect> crop;         ///< the part of it that becomes the picture; inside the frame
   Method method = Method::hybrid;
   ShadowMode shadows = ShadowMode::exact;
-  int blur_kernel_px = 5;  ///< odd, 1..31
+  int blur_kernel_px = 5;  ///< odd, at most kLargestBlurKernel_px
   int shadow_map_px = 2048;
   ShadowWarp shadow_warp = ShadowWarp::lispsm;
   int reflection_depth = 4;  ///< generations after the primary one
   int samples = 1;           ///< a pixel, averaged
+  Accel accel = Accel::embree;
   int frames_in_flight = 2;
   uint32_t aovs = 0;      ///< Aov bits
   vec3 ambient{0.15f};    ///< light from everywhere, times Kd; linear

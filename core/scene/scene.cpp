@@ -1,8 +1,15 @@
 #include "core/scene/scene.h"
 
+#include <algorithm>
+
 #include "core/base/check.h"
 
 namespace hybridrt {
+
+size_t count_shadow_casters(std::span<const DirectionalLight> lights) {
+  return static_cast<size_t>(
+      std::count_if(lights.begin(), lights.end(), [](const DirectionalLight& light) { return light.casts_shadow; }));
+}
 
 Aabb compute_bounds(const Scene& scene) {
   Aabb bounds;

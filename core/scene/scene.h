@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct DirectionalLight {
   vec3 color{1};
   bool casts_shadow = true;
 };
+
+size_t count_shadow_casters(std::span<const DirectionalLight> lights);
 
 /// Indexed triangles, filled once and then only read. Positions are floats relative to `origin_world`
 /// (scene space = world space - origin_world), so that a scene far from the world's origin keeps its

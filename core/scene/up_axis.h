@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/base/math.h"
+#include "core/base/named.h"
 
 namespace hybridrt {
 
 /// Which axis of a scene's files points up. Everything after loading has y up.
 enum class UpAxis { y, z };
+inline constexpr Named<UpAxis> kUpAxes[] = {{"y", UpAxis::y}, {"z", UpAxis::z}};
 
 /// A point or direction of the files as the loaded scene has it: (x, y, z) -> (x, z, -y) where z is up, a
 /// quarter turn about x that loses no bit. Numbers that a user gives for a scene (a camera, a light) are in

@@ -33,10 +33,10 @@ class Lookup {
     for (size_t i = 0; i < count; ++i) occluded[i] = places[i].cell && is_occluded(queries[i], places[i]);
   }
 
-  void certify_group(const ShadowQuery* queries, size_t count, ShadowCertainty* certainties) const {
+  void answer_group(const ShadowQuery* queries, size_t count, CellAnswer* answers) const {
     Place places[kGroup];
     find_places(queries, count, places);
-    for (size_t i = 0; i < count; ++i) certainties[i] = certainty(queries[i], places[i]);
+    for (size_t i = 0; i < count; ++i) answers[i] = answer_of_cell(queries[i], places[i]);
   }
 
   /// How often the ray leaves closed bodies, less how often it enters them.
@@ -64,12 +64,12 @@ class Lookup {
     }
   }
 
-  ShadowCertainty certainty(const ShadowQuery& query, const Place& place) const {
-    if (!place.cell) return ShadowCertainty::lit;
-    if (place.depth > place.cell->cover) return ShadowCertainty::shadow;
-    if (query.anywhere || starts_inside(query)) return ShadowCertainty::inside;
-    if (place.depth < place.cell->nearest) return ShadowCertainty::lit;
-    return place.cell->single && is_open(query) ? ShadowCertainty::lit : ShadowCertainty::unsettled;
+  CellAnswer answer_of_cell(const ShadowQuery& query, const Place& place) const {
+    if (!place.cell) return CellAnswer::lit;
+    if (place.depth > place.cell->cover) return CellAnswer::shadow;
+    if (query.anywhere || starts_inside(query)) return CellAnswer::inside;
+    if (place.depth < place.cell->nearest) return CellAnswer::lit;
+    return place.cell->single && is_open(query) ? CellAnswer::lit : CellAnswer::unknown;
   }
 
   Place place_of(const dvec3& origin) const {
@@ -85,11 +85,11 @@ class Lookup {
   }
 
   bool is_occluded(const ShadowQuery& query, const Place& place) const {
-    switch (certainty(query, place)) {
-      case ShadowCertainty::lit: return false;
-      case ShadowCertainty::shadow: return true;
-      case ShadowCertainty::inside: return any_other(query, place) || any_entry(query, place);
-      case ShadowCertainty::unsettled: return any_entry(query, place);
+    switch (answer_of_cell(query, place)) {
+      case CellAnswer::lit: return false;
+      case CellAnswer::shadow: return true;
+      case CellAnswer::inside: return any_other(query, place) || any_entry(query, place);
+      case CellAnswer::unknown: return any_entry(query, place);
     }
     return false;
   }
@@ -165,11 +165,11 @@ void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> quer
     lookup.answer_group(&queries[i], std::min(Lookup::kGroup, queries.size() - i), &occluded[i]);
 }
 
-void certify(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<ShadowCertainty> certainties) {
-  HRT_CHECK_EQ(queries.size(), certainties.size());
+void answers_of_cells(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<CellAnswer> answers) {
+  HRT_CHECK_EQ(queries.size(), answers.size());
   const Lookup lookup(buffer);
   for (size_t i = 0; i < queries.size(); i += Lookup::kGroup)
-    lookup.certify_group(&queries[i], std::min(Lookup::kGroup, queries.size() - i), &certainties[i]);
+    lookup.answer_group(&queries[i], std::min(Lookup::kGroup, queries.size() - i), &answers[i]);
 }
 
 bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye) {

@@ -98,13 +98,13 @@ struct ShadowQuery {
 void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<uint8_t> occluded);
 
 /// What a query's cell alone says about its answer, without a look at the triangles in it.
-enum class ShadowCertainty : uint8_t {
-  lit,        ///< nothing over the cell is nearer to the light, or but the one sheet that the query leaves
-  shadow,     ///< a triangle nearer to the light covers the whole cell, or a sheet of them
-  unsettled,  ///< ask
-  inside,     ///< ask: the query may start inside a closed body
+enum class CellAnswer : uint8_t {
+  lit,      ///< nothing over the cell is nearer to the light, or but the one sheet that the query leaves
+  shadow,   ///< a triangle nearer to the light covers the whole cell, or a sheet of them
+  unknown,  ///< ask
+  inside,   ///< ask: the query may start inside a closed body
 };
-void certify(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<ShadowCertainty> certainties);
+void answers_of_cells(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<CellAnswer> answers);
 
 /// True if a point seen from `eye` may lie inside a closed body: queries that start at what `eye` sees must
 /// then be asked with `anywhere`.

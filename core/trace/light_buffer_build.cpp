@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/scene/light_axes.h"
 #include "core/trace/light_cells.h"
 #include "core/trace/triangle.h"
 
@@ -319,9 +320,9 @@ LightBuffer build_light_buffer(const Scene& scene, const Sheets& sheets, const d
   buffer.scene = &scene;
   buffer.sides = sheets.sides;
   buffer.toward = toward;
-  const dvec3 other = std::abs(toward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
-  buffer.x_axis = glm::normalize(glm::cross(other, toward));
-  buffer.y_axis = glm::cross(toward, buffer.x_axis);
+  const LightAxes axes = light_axes(toward);
+  buffer.x_axis = axes.x;
+  buffer.y_axis = axes.y;
   buffer.center = dvec3(scene.bounds.empty() ? vec3(0) : scene.bounds.center());
   Builder(buffer, sheets, pool).run();
   return buffer;

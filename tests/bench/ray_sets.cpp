@@ -28,8 +28,9 @@ size_t index_of(int x, int y) { return static_cast<size_t>(y) * kWidth_px + x; }
 BenchScene load_bench_scene(const std::string& argument, ThreadPool& pool) {
   Warnings warnings;
   BenchScene made;
-  made.scene = load_scene(argument, pool, warnings);
-  const SceneShot shot = shot_of(argument);
+  const SceneSource source = parse_scene_source(argument);
+  made.scene = load_scene(source, std::nullopt, pool, warnings);
+  const SceneShot shot = source.procedural ? source.procedural->shot() : SceneShot();
   const Camera camera = shot.camera
                             ? *shot.camera
                             : camera_on_orbit(default_orbit(made.scene, double(kWidth_px) / kHeight_px, 0.7), 0.07);

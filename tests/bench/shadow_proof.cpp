@@ -149,8 +149,8 @@ class Proof {
   Tally compare(const LightBuffer& buffer, const std::vector<ShadowQuery>& queries) const {
     std::vector<uint8_t> occluded(queries.size()), truth(queries.size());
     shadow_answers(buffer, queries, occluded);
-    std::vector<ShadowCertainty> certainties(queries.size());
-    certify(buffer, queries, certainties);
+    std::vector<CellAnswer> answers(queries.size());
+    answers_of_cells(buffer, queries, answers);
     std::vector<Ray<double>> rays;
     for (const ShadowQuery& query : queries) rays.push_back({query.origin, buffer.toward});
     reference_->any_hits(rays, truth);
@@ -158,7 +158,7 @@ class Proof {
     tally.queries = queries.size();
     for (size_t i = 0; i < queries.size(); ++i) {
       tally.shadowed += truth[i];
-      tally.asked += certainties[i] == ShadowCertainty::unsettled || certainties[i] == ShadowCertainty::inside;
+      tally.asked += answers[i] == CellAnswer::unknown || answers[i] == CellAnswer::inside;
       if (truth[i] == occluded[i]) continue;
       const uint32_t in_the_way = truth[i] ? brute_force_occluder(scene_, buffer.toward, queries[i]) : kNoTriangle;
       if (truth[i] && in_the_way == kNoTriangle) {

@@ -53,8 +53,8 @@ class FaultsTest(CameraCase):
                 ([key(3), key(2)], "keyframes[1]: frame 2 comes after frame 3; put the keys in order"),
                 ([key(3), key(4), key(4)], "keyframes[2]: frame 4 is there twice"),
                 ([key(eye=(1, 2, 3), target=(1, 2, 3))], "keyframes[0]: eye and target are the same point"),
-                ([key(fov_y_deg=0)], "keyframes[0].fov_y_deg: 0: allowed is"),
-                ([key(), key(2, fov_y_deg=180)], "keyframes[1].fov_y_deg: 180: allowed is"),
+                ([key(fov_y_deg=0)], "keyframes[0].fov_y_deg: 0: must be"),
+                ([key(), key(2, fov_y_deg=180)], "keyframes[1].fov_y_deg: 180: must be"),
                 ([key(fov_y_deg=-1)], "fov_y_deg"), ([key(fov_y_deg="wide")], "fov_y_deg: must be a number"),
                 ([key(up=[0, 0, 0])], "keyframes[0].up: must not be zero"),
                 ([key(light=[0, 0, 0])], "keyframes[0].light: must not be zero"),
@@ -91,7 +91,7 @@ class FaultsTest(CameraCase):
 
     def test_as_flags(self):
         for options, says in ((("--eye", "1,1,1", "--target", "1,1,1"), "--eye and --target are the same point"),
-                              (("--fov", "0"), "--fov 0: allowed is"), (("--fov", "180"), "--fov 180: allowed is"),
+                              (("--fov", "0"), "--fov 0: must be"), (("--fov", "180"), "--fov 180: allowed is"),
                               (("--eye", "1,1,1", "--up", "0,0,0"), "--up 0,0,0")):
             with self.subTest(says):
                 self.refuse("mesh.obj", says, options=options, code=2)

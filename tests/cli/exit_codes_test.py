@@ -33,7 +33,7 @@ class CommandLineTest(CliTestCase):
         self.refuse("--reflection-depth", "65", says="0 to 64")
         self.refuse("--frames-in-flight", "0", says="--frames-in-flight 0")
         self.refuse("--shadow-map", "0", says="--shadow-map 0")
-        self.refuse("--shadow-warp", "tsm", says=("--shadow-warp tsm", "lispsm, uniform"))
+        self.refuse("--shadow-warp", "tsm", says=("--shadow-warp tsm", "uniform, lispsm"))
         self.refuse("--threads", "1e9", says="--threads")
         self.refuse("--threads", "99999999999999999999", says="--threads")
 
@@ -87,7 +87,7 @@ class CommandLineTest(CliTestCase):
         self.refuse("--method", "raster", "--method", "raster", "--method", "hybrid", says="--method is given 3 times")
         self.refuse("-o", "a.png", "--output", "b.png", says="--output is given 2 times (a.png, b.png); give it once")
         self.refuse("--size", says="--size has no value; write --size WxH")
-        self.refuse("--threads", "many", says="--threads many: that cannot be read; write --threads N")
+        self.refuse("--threads", "many", says="--threads many: must be a whole number, 1 to 1024")
         self.fail_with(2, "golden", "check", "--list", "a", "--list", "b", says="--list is given 2 times (a, b)")
         self.succeed("render", SCENE, *SMALL, "-q", "-q", "-o", "flags may be repeated.png")
 

@@ -38,7 +38,7 @@ void follow(const CameraPath& path) {
 
 void read_input(std::string_view bytes) {
   Warnings warnings;
-  const CameraCourse course = read_camera_file(input_file("camera.json", bytes), {UpAxis::z, 0.8}, warnings);
+  const CameraCourse course = read_camera_file(input_file("camera.json", bytes), UpAxis::z, warnings);
   if (const auto* still = std::get_if<Camera>(&course)) look_through(*still);
   if (const auto* path = std::get_if<CameraPath>(&course)) follow(*path);
   if (const auto* orbit = std::get_if<Orbit>(&course))

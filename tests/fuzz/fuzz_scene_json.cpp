@@ -11,12 +11,12 @@ namespace hybridrt::fuzz {
 void read_input(std::string_view bytes) {
   input_file("path.json", R"({"orbit": {"target": [0, 0, 0], "radius": 3}})");
   const std::filesystem::path file = input_file("input.json", bytes);
-  const SceneDescription scene = read_scene_file(file);
+  const SceneSource scene = read_scene_file(file);
   if (scene.lights)
     for (const DirectionalLight& light : *scene.lights)
       if (!(std::abs(glm::length(light.toward) - 1) < 1e-9)) throw std::logic_error("a light's direction is not unit");
   Warnings warnings;
-  read_scene_file_camera(file, {UpAxis::y, 0.8}, warnings);
+  scene_file_camera(scene, UpAxis::y, warnings);
 }
 
 }  // namespace hybridrt::fuzz

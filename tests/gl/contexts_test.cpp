@@ -121,8 +121,10 @@ TEST_F(RendererLimits, TooLargePicturesAreRefusedBeforeAnyWork) {
     settings.width_px = settings.height_px = settings.shadow_map_px = 16;
     settings.shadows = ShadowMode::map;
     settings.*member = limit + 1;
-    const std::string message =
-        device_error([&] { GlRenderer(context(), gl::embedded_shaders(), scene, settings, 1, nullptr, pool); });
+    const std::string message = device_error([&] {
+      GlRenderer(context(), gl::embedded_shaders(), scene, make_scene_facts(scene), Topology(), settings, 1, nullptr,
+                 pool);
+    });
     EXPECT_NE(message.find("GL_MAX_TEXTURE_SIZE"), std::string::npos) << message;
     EXPECT_NE(message.find(std::to_string(limit)), std::string::npos) << message;
   }

@@ -67,7 +67,7 @@ TEST_P(ExactShadows, AreThoseOfTheReference) {
   const bool has_wires = std::string_view(GetParam()).starts_with("scene:thin");
   EXPECT_LE(wrong_triangles, receivers / (has_wires ? 5000 : 50000)) << "of " << receivers;
   EXPECT_GT(receivers, 150000);
-  EXPECT_LT(marked, receivers) << "pass 3 has settled nothing";
+  EXPECT_LT(marked, receivers) << "pass 3 has answered nothing";
   EXPECT_GT(marked, 0) << "pass 4 was never asked";
 }
 

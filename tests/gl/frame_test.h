@@ -3,16 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/load/scene_source.h"
 #include "core/render/default_view.h"
 #include "core/render/render_job.h"
+#include "tests/support/load_scene.h"
 
 namespace hybridrt {
 
 /// A small orbit around `scene`, as `hybridrt render` would set it up.
 inline RenderJob orbit_job(Scene scene, int frames, int width_px = 160, int height_px = 120) {
   RenderJob job;
-  job.scene = std::move(scene);
+  ThreadPool pool(1);
+  set_scene(job, std::move(scene), pool);
   job.settings.width_px = width_px;
   job.settings.height_px = height_px;
   job.settings.shadow_map_px = 1024;
@@ -30,10 +31,12 @@ inline RenderJob orbit_job(const std::string& scene, int frames, int width_px = 
   return orbit_job(load_scene(scene, pool, warnings), frames, width_px, height_px);
 }
 
-inline std::vector<Frame> render_all(const RenderJob& job, RunFacts* facts = nullptr) {
+inline std::vector<Frame> render_all(const RenderJob& job, RunFacts* facts = nullptr, int threads = 1) {
   std::vector<Frame> frames;
+  ThreadPool pool(threads);
   const RunFacts found = run(
-      job, [](const RunFacts&) {}, [] { return false; }, [&](Frame&& frame) { frames.push_back(std::move(frame)); });
+      job, pool, [](const RunFacts&) {}, [] { return false; },
+      [&](Frame&& frame) { frames.push_back(std::move(frame)); });
   if (facts) *facts = found;
   return frames;
 }

@@ -33,9 +33,9 @@ TEST_P(Interleaving, SlotsAndThreadsChangeNoBit) {
   EXPECT_FALSE(expected[0].picture.data == expected[3].picture.data) << "the camera does not move";
   for (int threads : {1, 2, 5})
     for (int slots : {1, 2, 3}) {
-      job.threads = threads;
       job.settings.frames_in_flight = slots;
-      expect_same_frames(render_all(job), expected, fmt::format("{} slots, {} threads", slots, threads));
+      expect_same_frames(render_all(job, nullptr, threads), expected,
+                         fmt::format("{} slots, {} threads", slots, threads));
     }
 }
 
@@ -53,8 +53,9 @@ TEST_F(FrameOrder, MoreSlotsThanFramesAndNoFramesAtAll) {
   job.settings.frames_in_flight = 5;
   EXPECT_EQ(render_all(job).size(), 2u);
   int delivered = 0;
+  ThreadPool pool(1);
   run(
-      job, [](const RunFacts&) {}, [] { return true; }, [&](Frame&&) { ++delivered; });
+      job, pool, [](const RunFacts&) {}, [] { return true; }, [&](Frame&&) { ++delivered; });
   EXPECT_EQ(delivered, 0) << "asked to stop before the first frame";
 }
 
@@ -83,11 +84,12 @@ TEST_F(FrameOrder, ShardsAreTheWholesFrames) {
 // Frames in work when somebody asks to stop are still delivered, whole.
 TEST_F(FrameOrder, StoppingFinishesWhatWasBegun) {
   RenderJob job = orbit_job(kScene, 100, 32, 24);
+  ThreadPool pool(2);
   for (int slots : {1, 3}) {
     job.settings.frames_in_flight = slots;
     int begun = 0, delivered = 0;
     run(
-        job, [](const RunFacts&) {}, [&] { return begun++ >= 4; },
+        job, pool, [](const RunFacts&) {}, [&] { return begun++ >= 4; },
         [&](Frame&& frame) { EXPECT_EQ(frame.number, ++delivered); });
     EXPECT_EQ(delivered, 4) << slots;
   }
@@ -96,10 +98,31 @@ TEST_F(FrameOrder, StoppingFinishesWhatWasBegun) {
 TEST_F(FrameOrder, ADeliveryThatThrowsEndsTheRun) {
   RenderJob job = orbit_job(kScene, 100, 32, 24);
   job.settings.frames_in_flight = 3;
+  ThreadPool pool(2);
   EXPECT_THROW(run(
-                   job, [](const RunFacts&) {}, [] { return false; },
+                   job, pool, [](const RunFacts&) {}, [] { return false; },
                    [](Frame&&) { throw Error(ErrorKind::output, "the disk is full"); }),
                Error);
+}
+
+// A slot serves one frame after the other: what an earlier one was traced for is not this one's to report.
+TEST_F(FrameOrder, AFrameReportsItsOwnRaysOnly) {
+  RenderJob job = orbit_job("scene:spheres,triangles=2000,reflective=100", 4, 64, 48);
+  job.settings.shadows = ShadowMode::map;
+  CameraPath path;
+  const dvec3 eye(0, 4, 12);  // two frames see the mirrors, two turn away from them
+  path.keys = {{2, {eye, {0, 0, 0}, {0, 1, 0}, 0.8}, {}}, {3, {eye, {0, 8, 24}, {0, 1, 0}, 0.8}, {}}};
+  job.motion.course = path;
+  for (int slots : {1, 2, 3}) {
+    job.settings.frames_in_flight = slots;
+    const std::vector<Frame> frames = render_all(job);
+    ASSERT_EQ(frames.size(), 4u);
+    for (const Frame& frame : frames) {
+      const bool sees_mirrors = frame.number <= 2;
+      EXPECT_EQ(frame.stats.reflection_rays > 0, sees_mirrors) << slots << " slots, frame " << frame.number;
+      EXPECT_EQ(frame.timings[PassId::trace] > 0, sees_mirrors) << slots << " slots, frame " << frame.number;
+    }
+  }
 }
 
 }  // namespace

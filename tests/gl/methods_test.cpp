@@ -91,9 +91,9 @@ TEST_F(Methods, RaytracedIsTheReferencePicture) {
 
 TEST_F(Methods, AccelerationStructuresAgree) {
   RenderJob job = orbit_job(kScene, 1, 320, 240);
-  job.accel = Accel::embree;
+  job.settings.accel = Accel::embree;
   const auto embree = render_with(job, Method::raytrace, ShadowMode::rays);
-  job.accel = Accel::kdtree;
+  job.settings.accel = Accel::kdtree;
   const auto kdtree = render_with(job, Method::raytrace, ShadowMode::rays);
   EXPECT_GE(difference_at_same_ids(embree[0], kdtree[0]).psnr_db, 50);
 }

@@ -102,7 +102,7 @@ double share_of_other_pixels(const Image& a, const Image& b, float step = 1.0f /
 
 RenderJob room_job(int frames) {
   RenderJob job = orbit_job(textured_room(), frames, 320, 240);
-  job.accel = Accel::kdtree;
+  job.settings.accel = Accel::kdtree;
   return job;
 }
 

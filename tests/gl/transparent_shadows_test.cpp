@@ -2,6 +2,7 @@
 // straight above a pane over a floor, so the shadow is the pane's own outline.
 
 #include "tests/gl/frame_test.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textured_scenes.h"
 

@@ -8,7 +8,7 @@ namespace hybridrt {
 /// What a camera file with this text says.
 inline CameraCourse read_camera_text(std::string_view text, Warnings& warnings, UpAxis up = UpAxis::y) {
   const TemporaryFolder folder;
-  return read_camera_file(folder.write("shot.json", text), {up, kPi / 4}, warnings);
+  return read_camera_file(folder.write("shot.json", text), up, warnings);
 }
 
 inline CameraPath read_path(const std::string& keys, UpAxis up = UpAxis::y) {

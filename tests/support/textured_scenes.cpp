@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/load/load_textures.h"
-#include "core/load/scene_source.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/trace_scenes.h"
 

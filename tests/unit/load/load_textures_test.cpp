@@ -4,8 +4,8 @@
 
 #include <atomic>
 
-#include "core/load/scene_source.h"
 #include "shaders/shared.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/obj_test.h"
 #include "tests/support/textured_scenes.h"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/load/scene_source.h"
 #include "core/mesh/topology.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/obj_test.h"
 
 namespace hybridrt {

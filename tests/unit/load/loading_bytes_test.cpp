@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/load/mesh_io.h"
-#include "core/load/scene_source.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hybridrt {

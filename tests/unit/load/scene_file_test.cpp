@@ -1,6 +1,6 @@
 #include "core/load/scene_file.h"
 
-#include "core/load/scene_source.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/obj_test.h"
 
 namespace hybridrt {
@@ -12,11 +12,11 @@ struct SceneFile : testing::Test {
   TemporaryFolder folder;
   Warnings warnings;
 
-  SceneDescription read(const string& text) { return read_scene_file(folder.write("s.json", text)); }
+  SceneSource read(const string& text) { return read_scene_file(folder.write("s.json", text)); }
   string failure(const string& text) {
     try {
       read(text);
-      read_scene_file_camera(folder.path / "s.json", {}, warnings);
+      scene_file_camera(read_scene_file(folder.path / "s.json"), UpAxis::y, warnings);
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::input);
       return error.what();
@@ -29,7 +29,7 @@ struct SceneFile : testing::Test {
 };
 
 TEST_F(SceneFile, ReadsEverything) {
-  const SceneDescription scene = read(R"({"meshes":["a.obj","sub/../b.PLY"],"up_axis":"z",
+  const SceneSource scene = read(R"({"meshes":["a.obj","sub/../b.PLY"],"up_axis":"z",
     "lights":[{"type":"directional","toward":[0,0,4],"color":[1,0.5,0.25]},{"type":"directional","toward":[-9,0,0]}],
     "ambient":[0.1,0.2,0.3],"background":0.5,
     "settings":{"size":"64x48","reflection-depth":2,"fov":40.5,"require-hardware":true,"aov":["id","depth"],"light":[1,2,3],
@@ -60,27 +60,26 @@ TEST_F(SceneFile, ReadsEverything) {
 }
 
 TEST_F(SceneFile, WhatIsNotSaidIsLeftOpen) {
-  const SceneDescription scene = read(R"({"meshes":["a.obj"]})");
+  const SceneSource scene = read(R"({"meshes":["a.obj"]})");
   EXPECT_FALSE(scene.up_axis || scene.lights || scene.ambient || scene.background);
   EXPECT_TRUE(scene.settings.empty());
-  EXPECT_FALSE(read_scene_file_camera(folder.path / "s.json", {}, warnings));
+  EXPECT_FALSE(scene_file_camera(read_scene_file(folder.path / "s.json"), UpAxis::y, warnings));
 }
 
 TEST_F(SceneFile, AnEmptyListMeansNoLight) {
-  const SceneDescription scene = read(R"({"meshes":["a.obj"],"lights":[]})");
+  const SceneSource scene = read(R"({"meshes":["a.obj"],"lights":[]})");
   ASSERT_TRUE(scene.lights);
   EXPECT_TRUE(scene.lights->empty());
 }
 
 TEST_F(SceneFile, HasACameraOrAPathOrTheNameOfOne) {
   const auto course = [&](const string& text) {
-    return *read_scene_file_camera(folder.write("s.json", R"({"meshes":["a.obj"],)" + text + "}"), {UpAxis::z, 0.5},
-                                   warnings);
+    return *scene_file_camera(read(R"({"meshes":["a.obj"],)" + text + "}"), UpAxis::z, warnings);
   };
   const auto still = std::get<Camera>(course(R"("camera":{"eye":[1,2,3],"target":[0,0,0],"up":[0,0,1]})"));
   EXPECT_EQ(still.eye_world, dvec3(1, 3, -2)) << "in the axes of the files";
   EXPECT_EQ(still.up, dvec3(0, 1, 0));
-  EXPECT_EQ(still.fov_y_rad, 0.5);
+  EXPECT_EQ(still.fov_y_rad, Camera().fov_y_rad);
   EXPECT_EQ(std::get<Orbit>(course(R"("camera_path":{"orbit":{"target":[0,0,0],"radius":3}})")).radius, 3);
   folder.write("shot.json", R"({"orbit":{"target":[0,0,0],"radius":4}})");
   EXPECT_EQ(std::get<Orbit>(course(R"("camera_path":"shot.json")")).radius, 4);

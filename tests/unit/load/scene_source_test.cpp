@@ -5,6 +5,7 @@
 #include "core/procedural/chess.h"
 #include "core/procedural/spheres.h"
 #include "core/procedural/thin.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/obj_test.h"
 
 namespace hybridrt {
@@ -56,6 +57,22 @@ TEST(SceneSource, KnowsChessAndThin) {
   EXPECT_EQ(load_scene("scene:chess,triangles=12000,reflective=5", pool, warnings).positions,
             make_chess({12'000, 5}).positions);
   EXPECT_EQ(load_scene("scene:thin,triangles=12000", pool, warnings).positions, make_thin({12'000, {}}).positions);
+}
+
+TEST(SceneSource, TellsHowAProceduralSceneWantsToBeSeen) {
+  for (const ProceduralScene& scene : procedural_scenes()) {
+    const SceneSource source = parse_scene_source("scene:" + std::string(scene.name) + ",triangles=20000");
+    EXPECT_EQ(source.procedural, &scene);
+    EXPECT_EQ(source.procedural_options.triangles, 20'000);
+    const SceneShot shot = scene.shot();
+    EXPECT_EQ(source.shot.has_value(), shot.camera.has_value());
+    if (shot.camera) {
+      const Camera first = camera_on_orbit(std::get<Orbit>(*source.shot), 0);
+      EXPECT_LT(glm::distance(first.eye_world, shot.camera->eye_world), 1e-9);
+    }
+    EXPECT_EQ(source.lights.has_value(), shot.lights.has_value());
+    EXPECT_EQ(source.ambient, shot.ambient);
+  }
 }
 
 }  // namespace

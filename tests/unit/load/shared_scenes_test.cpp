@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "core/load/scene_source.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/obj_test.h"
 
 namespace hybridrt {

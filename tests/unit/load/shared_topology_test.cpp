@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/load/scene_source.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/obj_test.h"
 #include "tests/support/topology_scenes.h"
 

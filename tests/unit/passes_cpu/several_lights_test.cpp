@@ -115,26 +115,26 @@ TEST_F(SeveralLights, WhatIsSettledAndAnswered) {
   TraceStats stats;
   lit_in_frame(job_with({}, false), *caster_, stats);
   for (uint32_t seed = 7; seed <= 9; ++seed) {
-    UnsettledShadows unsettled;  // kept, as renderers do
-    const auto settle = [&](const TraceJob& job, Bytes& mask, TraceStats& settle_stats) {
+    MarkedShadows marked;  // kept, as renderers do
+    const auto mark_and_answer = [&](const TraceJob& job, Bytes& mask, TraceStats& stats) {
       Bytes lit(job.lights.size() * kPixels, 99);
       mask.assign(lit.size(), 99);
-      settle_shadows(job, pool_, ids_, mask, lit, unsettled);
-      settle_stats = answer_unsettled(job, pool_, unsettled, lit);
+      mark_boundary(job, pool_, ids_, mask, lit, marked);
+      stats = answer_marked(job, pool_, marked, lit);
       return lit;
     };
-    expect_each_as_alone(seed, true, true, [&](const TraceJob& job, TraceStats& settle_stats) {
+    expect_each_as_alone(seed, true, true, [&](const TraceJob& job, TraceStats& stats) {
       Bytes mask;
-      const Bytes lit = settle(job, mask, settle_stats);
+      const Bytes lit = mark_and_answer(job, mask, stats);
       // No other answers than those of rays.
       Bytes asked(lit.size(), 0);
       trace_pass(job, nullptr, pool_, {ids_, {}, asked, {}});
       EXPECT_EQ(lit, asked);
       return lit;
     });
-    expect_each_as_alone(seed, true, true, [&](const TraceJob& job, TraceStats& settle_stats) {
+    expect_each_as_alone(seed, true, true, [&](const TraceJob& job, TraceStats& stats) {
       Bytes mask;
-      settle(job, mask, settle_stats);
+      mark_and_answer(job, mask, stats);
       return mask;
     });
   }

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/load/scene_source.h"
 #include "core/passes_cpu/trace_pass.h"
 #include "core/trace/kd_caster.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textured_scenes.h"
 

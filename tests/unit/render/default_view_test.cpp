@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/load/scene_source.h"
 #include "core/scene/view.h"
 #include "core/trace/embree_caster.h"
+#include "tests/support/load_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/trace_scenes.h"
 

@@ -62,7 +62,7 @@ TEST(FramePlan, CarriesTheRequest) {
 TEST(FramePlan, WithoutShadowsThereAreNoShadowPasses) {
   const FramePlan plan = plan_for(plain_scene(), with(Method::hybrid, ShadowMode::none));
   EXPECT_FALSE(plan.shadow_map);
-  EXPECT_FALSE(plan.mark);
+  EXPECT_FALSE(plan.mark_blur);
   EXPECT_FALSE(plan.trace_shadows);
   EXPECT_FALSE(plan.trace());
   EXPECT_FALSE(plan.read_ids);
@@ -72,16 +72,16 @@ TEST(FramePlan, WithoutShadowsThereAreNoShadowPasses) {
 TEST(FramePlan, ShadowModes) {
   const FramePlan map = plan_for(plain_scene(), with(Method::hybrid, ShadowMode::map));
   EXPECT_TRUE(map.shadow_map);
-  EXPECT_FALSE(map.mark || map.trace());
+  EXPECT_FALSE(map.mark_blur || map.trace());
   EXPECT_FALSE(map.read_ids || map.read_mask) << "nothing on the CPU asks for them";
 
   const FramePlan blur = plan_for(plain_scene(), with(Method::hybrid, ShadowMode::blur));
-  EXPECT_TRUE(blur.shadow_map && blur.mark && blur.trace_shadows);
+  EXPECT_TRUE(blur.shadow_map && blur.mark_blur && blur.trace_shadows);
   EXPECT_TRUE(blur.read_ids && blur.read_mask);
 
   const FramePlan rays = plan_for(plain_scene(), with(Method::hybrid, ShadowMode::rays));
   EXPECT_TRUE(rays.trace_shadows && rays.read_ids);
-  EXPECT_FALSE(rays.shadow_map || rays.mark || rays.read_mask) << "every pixel has its ray";
+  EXPECT_FALSE(rays.shadow_map || rays.mark_blur || rays.read_mask) << "every pixel has its ray";
 }
 
 TEST(FramePlan, GenerationsOnlyForMaterialsThatSendRaysOn) {
@@ -119,7 +119,7 @@ TEST(FramePlan, DepthZeroHasNoGenerations) {
 TEST(FramePlan, RasterTracesNothing) {
   for (ShadowMode shadows : {ShadowMode::none, ShadowMode::map}) {
     const FramePlan plan = plan_for(mirror_scene(), with(Method::raster, shadows));
-    EXPECT_FALSE(plan.trace() || plan.mark || plan.read_ids || plan.read_mask);
+    EXPECT_FALSE(plan.trace() || plan.mark_blur || plan.read_ids || plan.read_mask);
     EXPECT_EQ(plan.shadow_map, shadows == ShadowMode::map);
   }
 }
@@ -237,12 +237,12 @@ TEST(FramePlan, PassesRunForThoseThatCastShadows) {
     request.lights = lights;
     for (const ShadowMode mode : {ShadowMode::map, ShadowMode::blur, ShadowMode::exact, ShadowMode::rays}) {
       const FramePlan p = plan(mode);
-      EXPECT_FALSE(p.shadows || p.shadow_map || p.mark || p.settle || p.trace_shadows || p.light_buffers);
+      EXPECT_FALSE(p.shadows || p.shadow_map || p.mark_blur || p.mark_exact || p.trace_shadows || p.light_buffers);
     }
   }
   request.lights = {casts_none, casts};
-  EXPECT_TRUE(plan(ShadowMode::exact).settle && plan(ShadowMode::exact).light_buffers);
-  EXPECT_TRUE(plan(ShadowMode::blur).mark);
+  EXPECT_TRUE(plan(ShadowMode::exact).mark_exact && plan(ShadowMode::exact).light_buffers);
+  EXPECT_TRUE(plan(ShadowMode::blur).mark_blur);
   EXPECT_FALSE(plan(ShadowMode::blur).casts_shadow(0));
   EXPECT_TRUE(plan(ShadowMode::blur).casts_shadow(1));
   EXPECT_FALSE(plan(ShadowMode::none).casts_shadow(1));

@@ -34,7 +34,7 @@ TEST(FrameMemory, GrowsWithLights) {
   const Scene scene = textured_room();
   settings.shadows = ShadowMode::exact;
   const auto accelerator = [&](size_t lights) {
-    return estimate_memory(scene, make_scene_facts(scene), settings, Accel::kdtree, lights, false, 1, 1).accelerator;
+    return estimate_memory(scene, make_scene_facts(scene), Topology(), settings, lights, false, 1, 1).accelerator;
   };
   EXPECT_GT(accelerator(1), accelerator(0));
   EXPECT_EQ(accelerator(3) - accelerator(2), accelerator(1) - accelerator(0));
@@ -56,7 +56,7 @@ TEST(SceneMemory, TexturesCountTwiceWithGl) {
   EXPECT_GT(textures, 4 * (12 * 7 + 32 * 32));
   RenderSettings settings;
   const auto estimate = [&] {
-    return estimate_memory(scene, make_scene_facts(scene), settings, Accel::kdtree, 1, false, 1, 1);
+    return estimate_memory(scene, make_scene_facts(scene), Topology(), settings, 1, false, 1, 1);
   };
   const MemoryEstimate with = estimate();
   scene.textures = nullptr;

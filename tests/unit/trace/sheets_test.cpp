@@ -53,14 +53,14 @@ Scene edited(Scene scene, uint32_t seed, const Body& body) {
 struct Case {
   std::string name;
   Scene scene;
-  double least_settled;  ///< share of the queries
+  double least_answered;  ///< share of the queries
 };
 
 std::vector<Case> cases() {
   std::vector<Case> all;
-  const auto add = [&](const char* name, Scene scene, double least_settled) {
+  const auto add = [&](const char* name, Scene scene, double least_answered) {
     finish(scene);
-    all.push_back({name, std::move(scene), least_settled});
+    all.push_back({name, std::move(scene), least_answered});
   };
   using Kept = std::vector<uvec3>;
   add("Ground", ground(150, 0.05f), 0.9);
@@ -133,23 +133,23 @@ TEST(Sheets, CertificatesAreNeverWrong) {
     const KdTree tree = build_kd_tree(scene, pool);
     const auto reference = make_reference_caster(tree);
     Random random(6);
-    size_t asked = 0, settled = 0, wrong = 0, shadowed = 0;
+    size_t asked = 0, answered = 0, wrong = 0, shadowed = 0;
     for (const dvec3& light : lights) {
       const dvec3 toward = glm::normalize(light);
       const LightBuffer buffer = build_light_buffer(scene, sheets, toward, pool);
       const std::vector<ShadowQuery> queries = surface_queries(scene, toward, random, 2500);
-      std::vector<ShadowCertainty> certainties(queries.size());
-      certify(buffer, queries, certainties);
+      std::vector<CellAnswer> answers(queries.size());
+      answers_of_cells(buffer, queries, answers);
       std::vector<Ray<double>> rays;
       for (const ShadowQuery& query : queries) rays.push_back({query.origin, toward});
       std::vector<uint8_t> occluded(queries.size());
       reference->any_hits(rays, occluded);
       for (size_t i = 0; i < queries.size(); ++i) {
-        if (certainties[i] == ShadowCertainty::inside) continue;
+        if (answers[i] == CellAnswer::inside) continue;
         ++asked, shadowed += occluded[i];
-        if (certainties[i] != ShadowCertainty::lit && certainties[i] != ShadowCertainty::shadow) continue;
-        ++settled;
-        const bool says_shadow = certainties[i] == ShadowCertainty::shadow;
+        if (answers[i] != CellAnswer::lit && answers[i] != CellAnswer::shadow) continue;
+        ++answered;
+        const bool says_shadow = answers[i] == CellAnswer::shadow;
         if (says_shadow == (occluded[i] != 0)) continue;
         wrong += says_shadow || brute_force_occluder(scene, toward, queries[i]) !=
                                     kNoTriangle;  // or it was its own triangle's rounding
@@ -157,9 +157,9 @@ TEST(Sheets, CertificatesAreNeverWrong) {
     }
     EXPECT_EQ(wrong, 0u);
     EXPECT_GT(shadowed, asked / 20);
-    const double share = static_cast<double>(settled) / static_cast<double>(asked);
+    const double share = static_cast<double>(answered) / static_cast<double>(asked);
     RecordProperty(given.name, std::to_string(share));
-    EXPECT_GT(share, given.least_settled);
+    EXPECT_GT(share, given.least_answered);
   }
 }
 

@@ -1,0 +1,58 @@
+#include "cli/job.h"
+
+#include "cli/camera_options.h"
+#include "cli/light_options.h"
+#include "core/base/error.h"
+#include "core/base/memory.h"
+#include "core/image_io/read_image.h"
+#include "core/load/loading_bytes.h"
+#include "core/render/memory_estimate.h"
+
+namespace hybridrt::cli {
+namespace {
+
+FrameRange make_sequence(const RenderOptions& o, const FrameSpec& frames) {
+  if (!o.sequence) return {frames.lowest(), frames.highest(), 1};
+  if (frames.lowest() < o.sequence->first || frames.highest() > o.sequence->last)
+    throw error(ErrorKind::usage, "--frames {} is not a part of --sequence {}-{}", o.frames, o.sequence->first,
+                o.sequence->last);
+  return *o.sequence;
+}
+
+/// With all that a run adds to the scene before the first frame.
+void require_room_for_run(const RenderJob& job, const SceneSource& source, size_t light_count, int threads) {
+  const MemoryEstimate estimate = estimate_memory(job.scene, job.facts, job.topology, job.settings, light_count,
+                                                  /*light_moves=*/true, threads, job.frames.count());
+  require_room_for_scene(source.argument, estimate.total(), job.most_bytes);
+}
+
+}  // namespace
+
+int thread_count(const RenderOptions& options) { return options.threads.value_or(allowed_processors()); }
+
+RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, ThreadPool& pool, Warnings& warnings,
+                          LoadProgress* progress) {
+  RenderJob job;
+  job.settings = finished_settings(o);
+  job.settings.ambient = source.ambient.value_or(job.settings.ambient);
+  job.settings.background = source.background.value_or(job.settings.background);
+  job.frames = parse_frame_spec(o.frames);
+  job.motion.sequence = make_sequence(o, job.frames);
+  job.gl = o.gl;
+  job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
+  job.most_bytes = o.most_bytes.value_or(allowed_memory());
+
+  const size_t lights = light_count(o, source);
+  require_room_for_frames(job.settings, lights, pool.size(), job.frames.count(), job.most_bytes);
+  set_scene(job, load_scene(source, o.up_axis, pool, warnings, {job.most_bytes, progress, read_texels}), pool);
+  require_room_for_run(job, source, lights, pool.size());
+
+  const UpAxis up_axis = o.up_axis ? *o.up_axis : source.up_axis.value_or(UpAxis::y);
+  ChosenCamera camera = choose_camera(o, source, job, up_axis, pool, warnings);
+  job.motion.course = std::move(camera.course);
+  job.caster = std::move(camera.caster);
+  job.lights = choose_lights(o, source, job.motion, job.settings.ambient, up_axis, camera.surroundings, warnings);
+  return job;
+}
+
+}  // namespace hybridrt::cli
