@@ -100,16 +100,15 @@ TEST_P(SeveralLights, FramesInFlightAndKeptStructuresChangeNoBit) {
                         {glm::normalize(dvec3(-0.3, 1, 1)), vec3(0.3f)},
                         {glm::normalize(dvec3(0.2, 0.4, -1)), vec3(0.3f, 0.2f, 0.1f)}};
   job_.settings.frames_in_flight = 1;
-  job_.threads = 2;
-  const std::vector<Frame> expected = render_all(job_);
+  const std::vector<Frame> expected = render_all(job_, nullptr, 2);
   EXPECT_FALSE(expected[0].picture.data == expected[4].picture.data) << "the light does not move";
   for (int slots : {2, 3}) {
     job_.settings.frames_in_flight = slots;
-    expect_same_frames(render_all(job_), expected, fmt::format("{} slots", slots));
+    expect_same_frames(render_all(job_, nullptr, 2), expected, fmt::format("{} slots", slots));
   }
   for (const int frame : {4, 2}) {
     job_.frames.ranges = {{frame, frame, 1}};
-    EXPECT_TRUE(render_all(job_).front().picture.data == expected[frame - 1].picture.data) << frame;
+    EXPECT_TRUE(render_all(job_, nullptr, 2).front().picture.data == expected[frame - 1].picture.data) << frame;
   }
 }
 
