@@ -1,5 +1,7 @@
 #include "cli/loading_line.h"
 
+#include "cli/standard_streams.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -16,7 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{1000}, kRedraw{100};
 
-/// Draws on a thread of its own from construction to destruction.
+/// Draws on a thread of its own from construction to destruction. Throws std::system_error where there is none.
 class LoadingLine {
  public:
   LoadingLine(std::string scene, const LoadProgress& progress)
@@ -32,16 +34,15 @@ class LoadingLine {
   }
 
  private:
-  void draw() {
+  void draw() try {
     std::unique_lock lock(mutex_);
     bool drawn = false;
     for (auto wait = kPatience; !wake_.wait_for(lock, wait, [this] { return loaded_; }); wait = kRedraw) {
-      fmt::print(stderr, "\r{}\x1b[K", text());
-      std::fflush(stderr);
+      say(fmt::format("\r{}\x1b[K", text()));
       drawn = true;
     }
-    if (drawn) fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
+    if (drawn) say("\r\x1b[K");
+  } catch (...) {  // out of memory: whoever loads will find out; nothing may leave a thread
   }
 
   std::string text() const {
