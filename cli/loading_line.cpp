@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 namespace hybridrt::cli {
@@ -64,8 +65,10 @@ class LoadingLine {
 RenderJob load_showing_progress(const RenderOptions& options, Warnings& warnings, bool quiet) {
   LoadProgress progress;
   std::optional<LoadingLine> line;
-  if (!quiet && isatty(STDERR_FILENO))
-    line.emplace(std::filesystem::path(options.scene).filename().string(), progress);
+  if (!quiet && isatty(STDERR_FILENO)) try {
+      line.emplace(std::filesystem::path(options.scene).filename().string(), progress);
+    } catch (const std::system_error&) {  // no thread: no line
+    }
   return make_render_job(options, warnings, &progress);
 }
 

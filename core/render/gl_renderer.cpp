@@ -1,6 +1,7 @@
 #include "core/render/gl_renderer.h"
 
 #include "core/base/check.h"
+#include "core/base/start_thread.h"
 #include "core/render/aov.h"
 #include "core/trace/repair_primary.h"
 #include "core/trace/settle_shadows.h"
@@ -104,7 +105,7 @@ void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
     } else if (slot.plan.trace()) {
       // Traces follow one another, in the order of the frames.
       slot.traced_done = previous_trace =
-          std::async(std::launch::async, [this, &slot, previous_trace] {
+          start_task([this, &slot, previous_trace] {
             if (previous_trace.valid()) previous_trace.wait();
             trace(slot);
           }).share();
