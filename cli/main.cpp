@@ -65,7 +65,7 @@ ExitCode run(int argc, char** argv) {
   } catch (const Error& wrong_world) {
     return fail(exit_code_of(wrong_world.kind()), wrong_world.what());
   } catch (const std::bad_alloc&) {
-    return fail(ExitCode::some_frames_failed, "out of memory; render a smaller scene or picture");
+    return fail(ExitCode::usage, "out of memory; render a smaller scene or picture");
   } catch (const std::system_error& problem) {
     if (std::ferror(stdout)) return fail(ExitCode::output, output_error(problem.code().message()).what());
     return fail(ExitCode::internal, fmt::format("internal error: {}", problem.what()));
