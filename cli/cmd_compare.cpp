@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/standard_streams.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "core/image/compare.h"
@@ -85,7 +86,7 @@ ExitCode compare(const CompareOptions& options) {
     const std::vector<unsigned char> bytes = encode_image(difference, options.diff);
     write_file_atomically(options.diff, std::as_bytes(std::span(bytes)));
   } else if (!options.diff.empty()) {
-    fmt::print(stderr, "hybridrt: warning: {} not written: {}\n", options.diff, result.reason);
+    complain(fmt::format("warning: {} not written: {}", options.diff, result.reason));
   }
 
   if (options.json)

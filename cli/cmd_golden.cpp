@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/job.h"
 #include "cli/parse_message.h"
+#include "cli/standard_streams.h"
 #include "core/base/output_file.h"
 #include "core/base/timing.h"
 #include "core/golden/golden.h"
@@ -130,7 +131,7 @@ ExitCode check_all(const GoldenOptions& options) {
     failed += !result.passed();
     fmt::print("{}  {:<24} {:5.1f} s  {}\n", result.passed() ? "ok    " : "FAILED", golden.name, result.seconds,
                result.verdict());
-    std::fflush(stdout);
+    flush_output();
   }
   const fs::path report = fs::path(options.output) / "report.html";
   write_file_atomically(report, golden_html(results, options.output));

@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "cli/render_output.h"
 #include "cli/run_report.h"
+#include "cli/standard_streams.h"
 #include "cli/version.h"
 #include "core/base/output_file.h"
 #include "core/base/timing.h"
@@ -79,7 +80,7 @@ class Reporter {
  private:
   static void emit(const json& event) {
     fmt::print("{}\n", event.dump(-1, ' ', false, json::error_handler_t::replace));
-    std::fflush(stdout);
+    flush_output();
   }
   const bool json_, verbose_;
   Progress progress_;

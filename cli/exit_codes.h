@@ -4,10 +4,10 @@
 
 namespace hybridrt::cli {
 
+/// README.md lists these and no others.
 enum class ExitCode {
   ok = 0,
-  some_frames_failed = 1,
-  usage = 2,
+  usage = 2,  ///< running out of memory too: more was asked for than the machine has
   input = 3,
   device = 4,
   output = 5,

@@ -19,8 +19,6 @@ void handle(int signal) {
 void catch_signals() {
   std::signal(SIGINT, handle);
   std::signal(SIGTERM, handle);
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool stop_requested() { return first_signal != 0; }

@@ -5,7 +5,7 @@
 namespace hybridrt::cli {
 
 /// From now on the first SIGINT or SIGTERM only asks to stop after the frames in work; a second one ends
-/// the process at once. Writing to a closed pipe or past a file size limit becomes an error instead of death.
+/// the process at once.
 void catch_signals();
 
 /// True once a signal has come.

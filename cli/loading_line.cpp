@@ -7,15 +7,18 @@
 #include <fmt/format.h>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <unistd.h>
+
+#include "cli/standard_streams.h"
 
 namespace hybridrt::cli {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{1000}, kRedraw{100};
 
-/// Draws on a thread of its own from construction to destruction.
+/// Draws on a thread of its own from construction to destruction. Throws std::system_error where there is none.
 class LoadingLine {
  public:
   LoadingLine(std::string scene, const LoadProgress& progress)
@@ -31,16 +34,15 @@ class LoadingLine {
   }
 
  private:
-  void draw() {
+  void draw() try {
     std::unique_lock lock(mutex_);
     bool drawn = false;
     for (auto wait = kPatience; !wake_.wait_for(lock, wait, [this] { return loaded_; }); wait = kRedraw) {
-      fmt::print(stderr, "\r{}\x1b[K", text());
-      std::fflush(stderr);
+      say(fmt::format("\r{}\x1b[K", text()));
       drawn = true;
     }
-    if (drawn) fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
+    if (drawn) say("\r\x1b[K");
+  } catch (...) {  // out of memory: whoever loads will find out; nothing may leave a thread
   }
 
   std::string text() const {
@@ -63,8 +65,10 @@ RenderJob load_showing_progress(const RenderOptions& options, const SceneSource&
                                 Warnings& warnings, bool quiet) {
   LoadProgress progress;
   std::optional<LoadingLine> line;
-  if (!quiet && isatty(STDERR_FILENO))
-    line.emplace(std::filesystem::path(source.argument).filename().string(), progress);
+  if (!quiet && isatty(STDERR_FILENO)) try {
+      line.emplace(std::filesystem::path(source.argument).filename().string(), progress);
+    } catch (const std::system_error&) {  // no thread: no line
+    }
   return make_render_job(options, source, pool, warnings, &progress);
 }
 

@@ -2,14 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <clocale>
+#include <cstdio>
 #include <fmt/core.h>
 #include <new>
+#include <system_error>
 
 #include "cli/commands.h"
 #include "cli/parse_message.h"
+#include "cli/standard_streams.h"
 #include "cli/version.h"
 #include "core/base/error.h"
-
 namespace hybridrt::cli {
 
 ExitCode exit_code_of(ErrorKind kind) {
@@ -24,8 +26,8 @@ ExitCode exit_code_of(ErrorKind kind) {
 
 namespace {
 
-ExitCode fail(ExitCode code, const std::string& message) {
-  fmt::print(stderr, "hybridrt: {}\n", message);
+ExitCode fail(ExitCode code, std::string_view message) {
+  complain(message);
   return code;
 }
 
@@ -44,20 +46,30 @@ ExitCode run(int argc, char** argv) {
   add_doctor_command(app, chosen);
 
   try {
-    app.parse(argc, argv);
-    if (chosen) return chosen();
-    if (version) return print_version(as_json);
-    if (argc <= 1) fmt::print("{}", app.help());
-    return ExitCode::ok;
-  } catch (const CLI::Success& help_or_version) {
-    app.exit(help_or_version);
-    return ExitCode::ok;
+    bool help = argc <= 1;
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+      help = true;
+    }
+    ExitCode code = ExitCode::ok;
+    if (help)
+      fmt::print("{}", app.help());
+    else if (chosen)
+      code = chosen();
+    else if (version)
+      code = print_version(as_json);
+    flush_output();
+    return code;
   } catch (const CLI::ParseError& parse_error) {
     return fail(ExitCode::usage, parse_message(app, parse_error));
   } catch (const Error& wrong_world) {
     return fail(exit_code_of(wrong_world.kind()), wrong_world.what());
   } catch (const std::bad_alloc&) {
-    return fail(ExitCode::some_frames_failed, "out of memory; render a smaller scene or picture");
+    return fail(ExitCode::usage, "out of memory; render a smaller scene or picture");
+  } catch (const std::system_error& problem) {
+    if (std::ferror(stdout)) return fail(ExitCode::output, output_error(problem.code().message()).what());
+    return fail(ExitCode::internal, fmt::format("internal error: {}", problem.what()));
   } catch (const std::exception& our_mistake) {
     return fail(ExitCode::internal, fmt::format("internal error: {}", our_mistake.what()));
   }
@@ -67,6 +79,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace hybridrt::cli
 
 int main(int argc, char** argv) {
+  hybridrt::cli::prepare_standard_streams();
   std::setlocale(LC_ALL, "C");  // numbers read and written alike everywhere
   return static_cast<int>(hybridrt::cli::run(argc, argv));
 }

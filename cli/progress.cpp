@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "cli/standard_streams.h"
+
 namespace hybridrt::cli {
 namespace {
 
@@ -23,7 +25,7 @@ std::string duration(double seconds) {
 Progress::Progress(int64_t frames, bool quiet) : frames_(frames), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
 
 Progress::~Progress() {
-  if (shown_ && terminal_) fmt::print(stderr, "\n");
+  if (shown_ && terminal_) cli::say("\n");
 }
 
 std::string Progress::text() const {
@@ -41,17 +43,16 @@ void Progress::frame_done() {
   if (!last && shown_ && since_shown_.elapsed_ms() < (terminal_ ? kRedraw_ms : kLine_ms)) return;
   if (terminal_) {
     const int filled = static_cast<int>(kBarWidth * done_ / std::max<int64_t>(frames_, 1));
-    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}\x1b[K", "", filled, "", kBarWidth - filled, text());
+    cli::say(fmt::format("\r[{:#<{}}{:.<{}}] {}\x1b[K", "", filled, "", kBarWidth - filled, text()));
   } else {
-    fmt::print(stderr, "{}\n", text());
+    cli::say(text() + "\n");
   }
-  std::fflush(stderr);
   shown_ = true;
   since_shown_.restart();
 }
 
 void Progress::say(const std::string& line) {
-  fmt::print(stderr, "{}{}\n", terminal_ && shown_ ? "\r\x1b[K" : "", line);
+  cli::say(fmt::format("{}{}\n", terminal_ && shown_ ? "\r\x1b[K" : "", line));
 }
 
 }  // namespace hybridrt::cli

@@ -46,6 +46,12 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
   }
 }
 
+OutputFile OutputFile::standard_output() {
+  const int descriptor = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  if (descriptor < 0) throw error(ErrorKind::output, "cannot write standard output: it is closed");
+  return OutputFile("standard output", descriptor);
+}
+
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());

@@ -6,13 +6,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace hybridrt {
 
 /// A file that appears under its final name only when it is whole: a hidden temporary beside it
 /// (`.NAME.tmp-PID-N`), fsync, rename. Whoever looks at the final name, at any moment and after a crash, finds
 /// the old file, none, or the new one complete. Missing folders are created, a symbolic link is followed, not
-/// replaced; a device or pipe (/dev/stdout) has no whole to protect and is written straight. Without
+/// replaced; a device or pipe (/dev/null) has no whole to protect and is written straight. Without
 /// commit(), nothing is left behind (a killed process may leave the temporary).
 ///
 /// Every function throws Error (output), naming the file and the system's reason. Under a file size limit the
@@ -21,6 +22,8 @@ namespace hybridrt {
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
+  /// Standard output as it is, whatever it is: appended to and never replaced, though it be a file.
+  static OutputFile standard_output();
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -38,6 +41,7 @@ class OutputFile {
   uint64_t bytes() const { return written_ + buffer_.size(); }
 
  private:
+  OutputFile(std::string name, int descriptor) : path_(std::move(name)), descriptor_(descriptor) {}
   static constexpr size_t kBuffer = size_t{1} << 20;
 
   void flush();

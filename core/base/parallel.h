@@ -21,7 +21,7 @@ int allowed_processors();
 /// depend on it.
 class ThreadPool {
  public:
-  /// `threads` >= 1, the caller's own included.
+  /// `threads` >= 1, the caller's own included. Throws Error usage when the system does not give so many.
   explicit ThreadPool(int threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -35,6 +35,7 @@ class ThreadPool {
   void run(size_t chunks, const std::function<void(size_t chunk, int worker)>& body);
 
  private:
+  void stop();
   void work(int worker);
   void take_chunks(int worker);
 

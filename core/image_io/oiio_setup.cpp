@@ -3,13 +3,20 @@
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <mutex>
+#include <system_error>
+
+#include "core/base/start_thread.h"
 
 namespace hybridrt {
 
 void set_up_oiio() {
   static std::once_flag once;
   std::call_once(once, [] {
-    OIIO::attribute("threads", 1);
+    try {
+      OIIO::attribute("threads", 1);
+    } catch (const std::system_error& problem) {  // it first starts a thread for every processor
+      throw no_thread(problem);
+    }
     OIIO::attribute("exr_threads", -1);  // 0 would mean one for every processor of the machine
     OIIO::attribute("debug", 0);         // standard error is ours
   });

@@ -7,7 +7,7 @@
 namespace hybridrt {
 
 /// Once before any use of OpenImageIO: its own thread pools stay off, parallelism is the caller's.
-/// Thread-safe.
+/// Thread-safe. Throws Error usage when the system gives OpenImageIO no threads.
 void set_up_oiio();
 
 /// The formats that we let OpenImageIO read and write, by its names. Their readers took 1,500 damaged files

@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <string>
 #include <system_error>
@@ -76,7 +77,15 @@ Input open_image(const fs::path& path) {
     throw error(ErrorKind::input, "{}: broken image: {}; write or copy it again", path.string(), fault);
   set_up_oiio();
   std::string problem;
-  Input input = find_reader(path, problem);
+  Input input;
+  {
+    // One header at a time, of whatever format: OpenImageIO 2.4 looks tags of ICC profiles up in maps that all its
+    // readers share, puts in those that it does not know, and takes no lock (its issue 3756, pull request 3767). What
+    // else its readers and writers share it guards itself; pixels are read side by side.
+    static std::mutex reading_header;
+    const std::lock_guard lock(reading_header);
+    input = find_reader(path, problem);
+  }
   if (!input)
     throw error(ErrorKind::input, "{}: not a readable image: {}; use a whole PNG, JPEG, EXR, TIFF or the like",
                 path.string(), problem.empty() ? "unknown format" : problem);

@@ -5,6 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/base/output_file.h"
+#include "core/base/start_thread.h"
 #include "core/base/timing.h"
 
 namespace hybridrt {
@@ -13,10 +14,18 @@ namespace fs = std::filesystem;
 FileSink::FileSink(EncodeFunction encode, int workers, size_t max_queued)
     : encode_(std::move(encode)), max_queued_(max_queued) {
   HRT_CHECK(encode_ && workers >= 1 && max_queued >= 1);
-  for (int i = 0; i < workers; ++i) workers_.emplace_back([this] { work(); });
+  workers_.reserve(static_cast<size_t>(workers));
+  try {
+    for (int i = 0; i < workers; ++i) workers_.push_back(start_thread([this] { work(); }));
+  } catch (...) {
+    stop();
+    throw;
+  }
 }
 
-FileSink::~FileSink() {
+FileSink::~FileSink() { stop(); }
+
+void FileSink::stop() {
   {
     std::lock_guard lock(mutex_);
     stop_ = true;  // workers leave only when the queue is empty

@@ -25,7 +25,7 @@ class FileSink {
   /// Gets the time that encoding and writing took, once the file stands under its final name.
   using Done = std::function<void(double write_ms)>;
 
-  /// `workers` and `max_queued` >= 1.
+  /// `workers` and `max_queued` >= 1. Throws Error usage when the system does not give so many threads.
   FileSink(EncodeFunction encode, int workers, size_t max_queued);
   /// Waits for all that was submitted. Failures nobody asked for are lost: call `drain` first.
   ~FileSink();
@@ -50,6 +50,7 @@ class FileSink {
     Done done;
   };
 
+  void stop();
   void work();
   void write(const Job& job);
   void rethrow_failure();  // with mutex_ held

@@ -1,6 +1,7 @@
 #include "core/render/gl_renderer.h"
 
 #include "core/base/check.h"
+#include "core/base/start_thread.h"
 #include "core/base/timing.h"
 #include "core/passes_cpu/mark_boundary.h"
 #include "core/passes_cpu/repair_primary.h"
@@ -98,7 +99,7 @@ void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
       trace(slot);
     } else if (slot.plan.trace()) {
       // Traces follow one another, in the order of the frames.
-      slot.traced_done = previous_trace = std::async(std::launch::async, [this, &slot, previous_trace] {
+      slot.traced_done = previous_trace = start_task([this, &slot, previous_trace] {
                                             if (previous_trace.valid()) previous_trace.wait();
                                             trace(slot);
                                           }).share();

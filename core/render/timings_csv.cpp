@@ -20,7 +20,8 @@ std::string line_of(int frame, double write_ms, FrameTimings timings, const Trac
 
 }  // namespace
 
-TimingsCsv::TimingsCsv(const std::string& path) : file_(path == "-" ? "/dev/stdout" : path) {
+TimingsCsv::TimingsCsv(const std::string& path)
+    : file_(path == "-" ? OutputFile::standard_output() : OutputFile(path)) {
   std::string header = "frame";
   for (std::string_view pass : kPassNames) header += fmt::format(",{}_ms", pass);
   header +=

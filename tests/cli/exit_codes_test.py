@@ -1,6 +1,8 @@
 """Bad input gets its exit code and one line that says what, where and what to do."""
 
 import os
+import re
+import resource
 import stat
 import unittest
 
@@ -157,6 +159,16 @@ class DeviceTest(CliTestCase):
         self.fail_with(3, "render", SCENE, "--shaders", "nowhere", says="nowhere")
 
 
+class DocumentationTest(unittest.TestCase):
+    def test_it_lists_every_code_and_no_other(self):
+        top = os.path.join(os.path.dirname(__file__), "..", "..")
+        with open(os.path.join(top, "cli", "exit_codes.h"), encoding="utf-8") as header:
+            ours = re.findall(r"^  \w+ = (\d+),", header.read(), re.MULTILINE)
+        with open(os.path.join(top, "README.md"), encoding="utf-8") as readme:
+            listed = readme.read().split("## Exit codes\n\n")[1].split(" An error is ")[0].replace("\n", " ")
+        self.assertEqual([code for entry in listed.split(" · ") for code in re.findall(r"\d+", entry)], ours)
+
+
 class SystemTest(CliTestCase):
     def refuse(self, *arguments, says):
         self.fail_with(5, "render", SCENE, *SMALL, "-q", *arguments, says=says)
@@ -179,6 +191,13 @@ class SystemTest(CliTestCase):
     def test_full_disk(self):
         self.refuse("-o", "x.png", "--timings", "/dev/full", says=("/dev/full", "No space left"))
         self.assertTrue(stat.S_ISCHR(os.stat("/dev/full").st_mode), "the device was replaced by a file")
+
+    def test_out_of_memory(self):
+        def bounded():
+            resource.setrlimit(resource.RLIMIT_AS, (3 << 30, 3 << 30))
+
+        self.fail_with(2, "render", SCENE, "--method", "raytrace", "--size", "20000x20000", "--max-memory", "none",
+                       says=("out of memory", "smaller"), preexec_fn=bounded)
 
     def test_picture_where_a_folder_is(self):
         os.makedirs(self.path("x.png", "inside"))
