@@ -1,5 +1,7 @@
 // Shader programs and readback: what the driver reports reaches the user.
 
+#include <set>
+
 #include "core/base/check.h"
 #include "core/gl/program.h"
 #include "tests/gl/gl_test.h"
@@ -52,6 +54,51 @@ TEST_F(Programs, MissingFilesAreNamed) {
   EXPECT_NE(compile_error({}, {"gone.comp"}).find("gone.comp"), std::string::npos);
   const gl::ShaderSources includes_nothing = {{"a.comp", "#version 450 core\n#include \"gone.glsl\"\n"}};
   EXPECT_NE(compile_error(includes_nothing, {"a.comp"}).find("gone.glsl"), std::string::npos);
+}
+
+/// Functions that count the shaders and programs of a context: each one made is live until it is deleted.
+struct CountedObjects {
+  explicit CountedObjects(const gl::Functions& gl) : counting(gl) {
+    real = &gl;
+    live.clear();
+    made = 0;
+    counting.CreateShader = [](GLenum stage) { return add(real->CreateShader(stage)); };
+    counting.CreateProgram = [] { return add(real->CreateProgram()); };
+    counting.DeleteShader = [](GLuint id) { live.erase(id), real->DeleteShader(id); };
+    counting.DeleteProgram = [](GLuint id) { live.erase(id), real->DeleteProgram(id); };
+  }
+  static GLuint add(GLuint id) {
+    live.insert(id);
+    ++made;
+    return id;
+  }
+
+  gl::Functions counting;
+  // Static, since GL's functions take no pointer of ours. Shaders and programs share their names.
+  static inline const gl::Functions* real;
+  static inline std::set<GLuint> live;
+  static inline int made;
+};
+
+TEST_F(Programs, LeaveNoObjectBehind) {
+  const CountedObjects objects(gl());
+  const std::string vertex = "#version 450 core\nout vec3 c;\nvoid main() { c = vec3(0); gl_Position = vec4(0); }\n";
+  const auto fails_with = [&](const std::string& fragment, int objects_made) {
+    objects.made = 0;
+    const gl::ShaderSources sources = {{"a.vert", vertex}, {"a.frag", fragment}};
+    EXPECT_THROW(gl::Program(objects.counting, sources, {"a.vert", "a.frag"}), Error) << fragment;
+    EXPECT_EQ(objects.made, objects_made) << fragment;
+    EXPECT_TRUE(objects.live.empty()) << fragment;
+  };
+  fails_with("#version 450 core\n#include \"gone.glsl\"\n", 2);
+  fails_with("#version 450 core\nvoid main() { no_such_name = 1; }\n", 3);
+  fails_with("#version 450 core\nin vec4 c;\nout vec4 o;\nvoid main() { o = c; }\n", 3);  // does not link
+
+  {
+    const gl::Program program(objects.counting, {{"empty.comp", kEmptyCompute}}, {"empty.comp"});
+    EXPECT_EQ(objects.live.size(), 1u) << "the shader belongs to the program now";
+  }
+  EXPECT_TRUE(objects.live.empty());
 }
 
 TEST_F(Programs, UnusedUniformIsOurMistake) {
