@@ -108,19 +108,4 @@ Program::Program(const Functions& gl, const ShaderSources& sources, std::initial
   gl.ObjectLabel(GL_PROGRAM, id_, static_cast<GLsizei>(name_.size()), name_.c_str());
 }
 
-GLint Program::location(const char* uniform) const {
-  const GLint location = gl_->GetUniformLocation(id_, uniform);
-  if (location < 0) throw CheckFailed(fmt::format("{} has no active uniform '{}'", name_, uniform));
-  return location;
-}
-
-void Program::set(const char* uniform, int value) const { gl_->ProgramUniform1i(id_, location(uniform), value); }
-void Program::set(const char* uniform, float value) const { gl_->ProgramUniform1f(id_, location(uniform), value); }
-void Program::set(const char* uniform, const vec3& value) const {
-  gl_->ProgramUniform3fv(id_, location(uniform), 1, &value.x);
-}
-void Program::set(const char* uniform, const mat4& value) const {
-  gl_->ProgramUniformMatrix4fv(id_, location(uniform), 1, GL_FALSE, &value[0].x);
-}
-
 }  // namespace hybridrt::gl

@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/math.h"
 #include "core/gl/objects.h"
 
 namespace hybridrt::gl {
@@ -29,16 +28,10 @@ class Program : public Handle<&Functions::DeleteProgram> {
   Program(const Functions& gl, const ShaderSources& sources, std::initializer_list<std::string_view> files);
 
   void use() const { gl_->UseProgram(id_); }
-
-  /// A name that the program does not use is an error (CheckFailed): it is always our mistake.
-  void set(const char* uniform, int value) const;
-  void set(const char* uniform, float value) const;
-  void set(const char* uniform, const vec3& value) const;
-  void set(const char* uniform, const mat4& value) const;
+  const Functions& functions() const { return *gl_; }
+  const std::string& name() const { return name_; }  ///< its files
 
  private:
-  GLint location(const char* uniform) const;
-
   std::string name_;
 };
 

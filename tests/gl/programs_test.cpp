@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/base/check.h"
-#include "core/gl/program.h"
+#include "core/gl/uniform.h"
 #include "tests/gl/gl_test.h"
 
 namespace hybridrt {
@@ -103,7 +103,7 @@ TEST_F(Programs, LeaveNoObjectBehind) {
 
 TEST_F(Programs, UnusedUniformIsOurMistake) {
   const gl::Program program(gl(), {{"empty.comp", kEmptyCompute}}, {"empty.comp"});
-  EXPECT_THROW(program.set("missing", 1), CheckFailed);
+  EXPECT_THROW(gl::Uniform<int>(program, "missing"), CheckFailed);
 }
 
 TEST(Includes, AreExpandedOnceAndKeepLineNumbers) {
