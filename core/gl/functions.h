@@ -16,7 +16,7 @@
   X(BINDTEXTUREUNIT, BindTextureUnit) X(BINDIMAGETEXTURE, BindImageTexture)                        \
   X(GETTEXTUREIMAGE, GetTextureImage)                                                              \
   X(CREATEBUFFERS, CreateBuffers) X(DELETEBUFFERS, DeleteBuffers) X(BINDBUFFER, BindBuffer)        \
-  X(NAMEDBUFFERSTORAGE, NamedBufferStorage) X(CLEARNAMEDBUFFERSUBDATA, ClearNamedBufferSubData)    \
+  X(NAMEDBUFFERSTORAGE, NamedBufferStorage)                                                 \
   X(MAPNAMEDBUFFERRANGE, MapNamedBufferRange) X(UNMAPNAMEDBUFFER, UnmapNamedBuffer)                \
   X(CREATEFRAMEBUFFERS, CreateFramebuffers) X(DELETEFRAMEBUFFERS, DeleteFramebuffers)              \
   X(NAMEDFRAMEBUFFERTEXTURE, NamedFramebufferTexture)                                              \

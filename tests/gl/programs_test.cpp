@@ -1,4 +1,4 @@
-// Shader programs and readback: what the driver reports reaches the user.
+// Shader programs: what the driver reports reaches the user.
 
 #include <set>
 
@@ -122,33 +122,6 @@ TEST(EmbeddedShaders, AreTheFilesOfTheSourceTree) {
   for (const auto& [name, text] : gl::load_shaders(HYBRIDRT_SHADERS))
     EXPECT_TRUE(embedded.contains(name) && embedded.at(name) == text) << name;
   EXPECT_TRUE(embedded.contains("surface.glsl"));
-}
-
-class Readbacks : public GlTest {};
-
-// A driver that delivers nothing leaves the sentinel: that must not become a picture. A texture full of the
-// sentinel's own bytes looks just the same.
-TEST_F(Readbacks, UnwrittenPixelsThrow) {
-  for (const uint32_t pixel : {0u, 0xFFFFFFFFu, 0xFEFEFEFEu}) {
-    const gl::Texture texture(gl(), GL_R32UI, 4, 4, "texture");
-    write_pixels(gl(), texture, 4, 4, GL_RED_INTEGER, GL_UNSIGNED_INT, std::vector<uint32_t>(16, pixel));
-    const auto read = [&] { return read_pixels<uint32_t>(gl(), texture, 4, 4, GL_RED_INTEGER, GL_UNSIGNED_INT); };
-    if (pixel == 0xFEFEFEFEu)
-      EXPECT_THROW(read(), Error);
-    else
-      EXPECT_EQ(read(), std::vector<uint32_t>(16, pixel));
-  }
-}
-
-TEST_F(Readbacks, CanBeReused) {
-  const gl::Texture texture(gl(), GL_R8UI, 3, 5, "texture");
-  gl::Readback readback(gl(), 15, "reused");
-  for (uint8_t value : {1, 2, 3}) {
-    write_pixels(gl(), texture, 3, 5, GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::vector<uint8_t>(15, value));
-    readback.start(texture, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
-    readback.wait();
-    for (int i = 0; i < 15; ++i) EXPECT_EQ(static_cast<const uint8_t*>(readback.data())[i], value);
-  }
 }
 
 }  // namespace
