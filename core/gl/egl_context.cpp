@@ -7,10 +7,9 @@
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <algorithm>
-#include <cstring>
 
 #include "core/gl/context_backends.h"
+#include "core/gl/extension_list.h"
 #include "core/gl/library.h"
 
 namespace hybridrt::gl {
@@ -41,8 +40,7 @@ struct Egl {
   }
 
   bool has(const char* client_extension) const {
-    const char* all = QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    return all && std::strstr(all, client_extension);
+    return lists_extension(QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), client_extension);
   }
 
   std::vector<EGLDeviceEXT> devices() const {
@@ -54,8 +52,7 @@ struct Egl {
   }
 
   bool is_software(EGLDeviceEXT device) const {
-    const char* extensions = QueryDeviceString ? QueryDeviceString(device, EGL_EXTENSIONS) : nullptr;
-    return extensions && std::strstr(extensions, "EGL_MESA_device_software");
+    return QueryDeviceString && lists_extension(QueryDeviceString(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
   }
 };
 
