@@ -116,6 +116,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   RunTotals totals;
   const Stopwatch loading;
   const RenderOptions options = with_scene_settings(command_line);
+  gl::limit_software_threads(thread_count(options));  // before loading starts the first thread
   const RenderJob job = load_showing_progress(options, warnings, output.quiet || output.json);
   warn_of_topology(job, warnings);
   totals.load_ms = loading.elapsed_ms();

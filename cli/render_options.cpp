@@ -60,6 +60,11 @@ RenderSettings make_settings(const RenderOptions& o) {
   return s;
 }
 
+int thread_count(const RenderOptions& o) {
+  if (o.threads) require_range("--threads", *o.threads, 1, 1024);
+  return o.threads.value_or(allowed_processors());
+}
+
 RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings, LoadProgress* progress) {
   const RenderOptions o = with_scene_settings(command_line);
   const SceneDescription scene = is_scene_file(o.scene) ? read_scene_file(o.scene) : SceneDescription();
@@ -71,10 +76,9 @@ RenderJob make_render_job(const RenderOptions& command_line, Warnings& warnings,
   job.settings.ambient = scene.ambient.value_or(shot.ambient.value_or(job.settings.ambient));
   job.settings.background = scene.background.value_or(shot.background.value_or(job.settings.background));
   job.frames = parse_frame_spec(o.frames);
-  if (o.threads) require_range("--threads", *o.threads, 1, 1024);
-  job.threads = o.threads.value_or(allowed_processors());
+  job.threads = thread_count(o);
   job.accel = o.accel;
-  job.gl = {o.gl, o.device, o.require_hardware, 0};
+  job.gl = {o.gl, o.device, o.require_hardware};
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
 
   job.most_bytes = parse_max_memory(o.max_memory);

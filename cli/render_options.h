@@ -49,6 +49,9 @@ void add_render_options(CLI::App& app, RenderOptions& options);
 /// The settings of every frame. Throws Error(usage) for values that cannot be.
 RenderSettings make_settings(const RenderOptions& options);
 
+/// Threads of a run, what a software GL starts of its own included. Throws Error(usage) for numbers that cannot be.
+int thread_count(const RenderOptions& options);
+
 /// The options after the `settings` of a scene JSON; what was given on the command line wins. Other scenes say
 /// nothing. Throws Error(input) naming the file for settings that no render option is or takes.
 RenderOptions with_scene_settings(const RenderOptions& options);

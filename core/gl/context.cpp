@@ -26,11 +26,12 @@ std::vector<DeviceInfo> candidates(const ContextRequest& request) {
 
 }  // namespace
 
-std::unique_ptr<Context> open_context(const ContextRequest& request) {
-  // Mesa's llvmpipe reads this once, when its screen is made; 0 makes it draw on the calling thread.
-  if (request.threads > 0)
-    setenv("LP_NUM_THREADS", request.threads == 1 ? "0" : std::to_string(request.threads).c_str(), 1);
+void limit_software_threads(int threads) {
+  // llvmpipe reads this once, when its screen is made; 0 makes it draw on the calling thread.
+  setenv("LP_NUM_THREADS", threads == 1 ? "0" : std::to_string(threads).c_str(), 1);
+}
 
+std::unique_ptr<Context> open_context(const ContextRequest& request) {
   std::string tried;
   bool known_device = request.device.empty();
   for (const DeviceInfo& device : candidates(request)) {

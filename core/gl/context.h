@@ -15,7 +15,6 @@ struct ContextRequest {
   Binding binding = Binding::any;
   std::string device;             ///< an id as list_devices() gives it; empty: the best
   bool require_hardware = false;  ///< refuse software renderers
-  int threads = 0;                ///< limit of a software renderer's own threads; 0: its default
 };
 
 /// Facts about an open context.
@@ -45,6 +44,10 @@ class Context {
   Functions functions_;
   ContextInfo info_;
 };
+
+/// Limits a software renderer's own threads, in all contexts of this process. Mesa is told by the environment, which
+/// other threads may be reading: call it before the program starts the first of them and before it opens a context.
+void limit_software_threads(int threads);
 
 /// Opens the best context that the request allows: EGL devices (hardware first), EGL surfaceless, OSMesa.
 /// Throws Error(device) that says what was tried and how each failed.

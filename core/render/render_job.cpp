@@ -53,9 +53,7 @@ RunFacts run(const RenderJob& job, const std::function<void(const RunFacts&)>& s
     ready();
     render_on_cpu(job.scene, job.settings, rays, pool, next, deliver);
   } else {
-    gl::ContextRequest request = job.gl;
-    request.threads = job.threads;
-    const std::unique_ptr<gl::Context> context = gl::open_context(request);
+    const std::unique_ptr<gl::Context> context = gl::open_context(job.gl);
     facts.gl = context->info();
     const bool rays_needed =
         needs_caster(make_scene_facts(job.scene), job.settings, lights_move(job.lights, job.motion));

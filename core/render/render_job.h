@@ -25,8 +25,8 @@ struct RenderJob {
   SceneCaster<float> caster;  ///< of `scene` by `accel`, if it was needed already; else run() builds one
   int threads = 1;
   uint64_t most_bytes = std::numeric_limits<uint64_t>::max();  ///< of memory, as the estimates go
-  gl::ContextRequest gl;                                       ///< its `threads` is set from `threads`
-  gl::ShaderSources shaders;                                   ///< for the methods that use GL
+  gl::ContextRequest gl;
+  gl::ShaderSources shaders;  ///< for the methods that use GL
 };
 
 /// Camera and lights of a frame.
