@@ -18,9 +18,9 @@ std::vector<DeviceInfo> candidates(const ContextRequest& request) {
   if (request.binding != Binding::osmesa) {
     std::string problem;
     devices = list_egl_devices(problem);
-    if (!problem.empty()) devices.push_back({"egl", "EGL", problem});
+    if (!problem.empty()) devices.push_back({"egl", problem});
   }
-  if (request.binding != Binding::egl) devices.push_back({kOsmesaDevice, "OSMesa", ""});
+  if (request.binding != Binding::egl) devices.push_back({kOsmesaDevice, ""});
   return devices;
 }
 

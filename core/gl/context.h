@@ -29,7 +29,7 @@ struct ContextInfo {
 
 /// What a device is before a context is opened on it; `problem` says why it cannot be used.
 struct DeviceInfo {
-  std::string id, description, problem;
+  std::string id, problem;
 };
 
 /// An OpenGL 4.5 core context without a window, current on the thread that made it until it is destroyed.

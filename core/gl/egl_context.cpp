@@ -150,12 +150,11 @@ std::vector<DeviceInfo> list_egl_devices(std::string& problem) try {
   std::vector<DeviceInfo> hardware, software;
   const std::vector<EGLDeviceEXT> devices = egl.devices();
   for (size_t i = 0; i < devices.size(); ++i) {
-    const bool soft = egl.is_software(devices[i]);
-    (soft ? software : hardware).push_back({fmt::format("egl:{}", i), soft ? "EGL software" : "EGL hardware", ""});
+    (egl.is_software(devices[i]) ? software : hardware).push_back({fmt::format("egl:{}", i), ""});
   }
   if (devices.empty()) problem = no_device_hint();
   hardware.insert(hardware.end(), software.begin(), software.end());
-  if (egl.has("EGL_MESA_platform_surfaceless")) hardware.push_back({kSurfaceless, "EGL surfaceless", ""});
+  if (egl.has("EGL_MESA_platform_surfaceless")) hardware.push_back({kSurfaceless, ""});
   return hardware;
 } catch (const Error& no_library) {
   problem = no_library.what();
