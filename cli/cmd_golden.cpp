@@ -160,7 +160,12 @@ void add_golden_command(CLI::App& app, Command& chosen) {
     CLI::App* command = golden->add_subcommand(name, what);
     command->add_option("names", options->names, "Cases (default: all)")->type_name("NAME");
     command->add_option("--list", options->list, "List of cases (default: the project's own)")->type_name("FILE");
-    command->callback([options, action, &chosen] { chosen = [options, action] { return action(*options); }; });
+    command->callback([options, action, &chosen] {
+      chosen = [options, action] {
+        gl::limit_software_threads(allowed_processors());  // once for all cases, before the first starts a thread
+        return action(*options);
+      };
+    });
     return command;
   };
   CLI::App* checking = add("check", "Compare; exit 6 when a picture differs", check_all);

@@ -111,7 +111,9 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   const Stopwatch loading;
   const SceneSource source = parse_scene_source(command_line.scene);
   const RenderOptions options = with_scene_settings(command_line, source);
-  ThreadPool pool(thread_count(options));
+  const int threads = thread_count(options);
+  gl::limit_software_threads(threads);  // before the first thread is started
+  ThreadPool pool(threads);
   const RenderJob job = load_showing_progress(options, source, pool, warnings, output.quiet || output.json);
   topology_warnings(job.scene, job.topology, warnings);
   totals.load_ms = loading.elapsed_ms();

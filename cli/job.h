@@ -8,7 +8,7 @@
 
 namespace hybridrt::cli {
 
-/// The threads that the options allow.
+/// The threads of a run: ours, and as many that a software GL may start.
 int thread_count(const RenderOptions& options);
 
 /// Reads the scene and turns the options, as with_scene_settings() has them, into a job. Throws Error(usage) for

@@ -32,6 +32,7 @@ ARROWS = {
 }
 # A pass has its GL form in one of these and its CPU form in the other.
 FORMS_OF_PASSES = ("core/passes_gl/", "core/passes_cpu/")
+SHARED_BY_PASSES = ("scene_gpu", "view_uniforms")
 ABOVE_CORE = {"cli": ["core"], "tests": ["core", "cli", "shaders"]}
 
 # What C++ and GLSL share; anyone may include these, no one another shader.
@@ -91,7 +92,8 @@ def own_include_fault(path, target):
     if here == there:
         stem = os.path.splitext(target)[0]
         for passes in FORMS_OF_PASSES:
-            if path.startswith(passes) and stem not in (passes + "scene_gpu", os.path.splitext(path)[0]):
+            shared = [passes + name for name in SHARED_BY_PASSES]
+            if path.startswith(passes) and stem not in shared + [os.path.splitext(path)[0]]:
                 return f"one pass does not see another: {target}; the renderer wires them"
         return None
     if here in ABOVE_CORE:

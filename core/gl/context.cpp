@@ -18,19 +18,20 @@ std::vector<DeviceInfo> candidates(const ContextRequest& request) {
   if (request.binding != Binding::osmesa) {
     std::string problem;
     devices = list_egl_devices(problem);
-    if (!problem.empty()) devices.push_back({"egl", "EGL", problem});
+    if (!problem.empty()) devices.push_back({"egl", problem});
   }
-  if (request.binding != Binding::egl) devices.push_back({kOsmesaDevice, "OSMesa", ""});
+  if (request.binding != Binding::egl) devices.push_back({kOsmesaDevice, ""});
   return devices;
 }
 
 }  // namespace
 
-std::unique_ptr<Context> open_context(const ContextRequest& request) {
-  // Mesa's llvmpipe reads this once, when its screen is made; 0 makes it draw on the calling thread.
-  if (request.threads > 0)
-    setenv("LP_NUM_THREADS", request.threads == 1 ? "0" : std::to_string(request.threads).c_str(), 1);
+void limit_software_threads(int threads) {
+  // llvmpipe reads this once, when its screen is made; 0 makes it draw on the calling thread.
+  setenv("LP_NUM_THREADS", threads == 1 ? "0" : std::to_string(threads).c_str(), 1);
+}
 
+std::unique_ptr<Context> open_context(const ContextRequest& request) {
   std::string tried;
   bool known_device = request.device.empty();
   for (const DeviceInfo& device : candidates(request)) {

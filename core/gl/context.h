@@ -15,7 +15,6 @@ struct ContextRequest {
   Binding binding = Binding::any;
   std::string device;             ///< an id as list_devices() gives it; empty: the best
   bool require_hardware = false;  ///< refuse software renderers
-  int threads = 0;                ///< limit of a software renderer's own threads; 0: its default
 };
 
 /// Facts about an open context.
@@ -30,7 +29,7 @@ struct ContextInfo {
 
 /// What a device is before a context is opened on it; `problem` says why it cannot be used.
 struct DeviceInfo {
-  std::string id, description, problem;
+  std::string id, problem;
 };
 
 /// An OpenGL 4.5 core context without a window, current on the thread that made it until it is destroyed.
@@ -45,6 +44,10 @@ class Context {
   Functions functions_;
   ContextInfo info_;
 };
+
+/// Limits a software renderer's own threads, in all contexts of this process. Mesa is told by the environment, which
+/// other threads may be reading: call it before the program starts the first of them and before it opens a context.
+void limit_software_threads(int threads);
 
 /// Opens the best context that the request allows: EGL devices (hardware first), EGL surfaceless, OSMesa.
 /// Throws Error(device) that says what was tried and how each failed.

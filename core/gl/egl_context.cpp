@@ -7,10 +7,9 @@
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <algorithm>
-#include <cstring>
 
 #include "core/gl/context_backends.h"
+#include "core/gl/extension_list.h"
 #include "core/gl/library.h"
 
 namespace hybridrt::gl {
@@ -41,8 +40,7 @@ struct Egl {
   }
 
   bool has(const char* client_extension) const {
-    const char* all = QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    return all && std::strstr(all, client_extension);
+    return lists_extension(QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), client_extension);
   }
 
   std::vector<EGLDeviceEXT> devices() const {
@@ -54,19 +52,18 @@ struct Egl {
   }
 
   bool is_software(EGLDeviceEXT device) const {
-    const char* extensions = QueryDeviceString ? QueryDeviceString(device, EGL_EXTENSIONS) : nullptr;
-    return extensions && std::strstr(extensions, "EGL_MESA_device_software");
+    return QueryDeviceString && lists_extension(QueryDeviceString(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
   }
 };
 
-class EglContext final : public Context {
- public:
-  explicit EglContext(const std::string& device) {
-    display_ = display_of(device);
-    if (display_ == EGL_NO_DISPLAY) throw Error(ErrorKind::device, "EGL gives no display for it");
-    EGLint major = 0, minor = 0;
-    if (!egl_.Initialize(display_, &major, &minor)) fail("eglInitialize");
-    if (!egl_.BindAPI(EGL_OPENGL_API)) fail("eglBindAPI(OpenGL)");
+[[noreturn]] void fail(const Egl& egl, const char* step) {
+  throw error(ErrorKind::device, "{} failed (EGL error 0x{:04X})", step, egl.GetError());
+}
+
+/// An OpenGL 4.5 core context, destroyed with its owner.
+struct OwnContext {
+  OwnContext(const Egl& egl_, EGLDisplay display_) : egl(egl_), display(display_) {
+    if (!egl.BindAPI(EGL_OPENGL_API)) fail(egl, "eglBindAPI(OpenGL)");
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                  4,
                                  EGL_CONTEXT_MINOR_VERSION,
@@ -78,25 +75,51 @@ class EglContext final : public Context {
                                  EGL_TRUE,
 #endif
                                  EGL_NONE};
-    context_ = egl_.CreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (context_ == EGL_NO_CONTEXT) fail("creating an OpenGL 4.5 core context");
-    if (!egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
-      egl_.DestroyContext(display_, context_);
-      fail("making the context current without a surface");
-    }
+    context = egl.CreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (context == EGL_NO_CONTEXT) fail(egl, "creating an OpenGL 4.5 core context");
+  }
+  OwnContext(const OwnContext&) = delete;
+  OwnContext& operator=(const OwnContext&) = delete;
+  ~OwnContext() { egl.DestroyContext(display, context); }
+
+  const Egl& egl;
+  const EGLDisplay display;
+  EGLContext context = EGL_NO_CONTEXT;
+};
+
+/// `own` is this thread's context, from construction to destruction.
+struct Current {
+  explicit Current(const OwnContext& own_) : own(own_) {
+    if (!own.egl.MakeCurrent(own.display, EGL_NO_SURFACE, EGL_NO_SURFACE, own.context))
+      fail(own.egl, "making the context current without a surface");
+  }
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+  ~Current() { own.egl.MakeCurrent(own.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+  const OwnContext& own;
+};
+
+class EglContext final : public Context {
+ public:
+  explicit EglContext(const std::string& device)
+      : display_(initialised_display(device)), own_(egl_, display_), current_(own_) {
     functions_ = load_functions([&](const char* name) { return reinterpret_cast<void*>(egl_.GetProcAddress(name)); });
     info_ = inspect_current_context(functions_);
     info_.device = device;
     info_.binding = device == kSurfaceless ? "EGL surfaceless" : "EGL device";
   }
 
-  // The display stays initialised: EGL gives the same one to whoever asks again.
-  ~EglContext() override {
-    egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    egl_.DestroyContext(display_, context_);
+ private:
+  /// It stays initialised: EGL gives the same one to whoever asks again.
+  EGLDisplay initialised_display(const std::string& device) const {
+    const EGLDisplay display = display_of(device);
+    if (display == EGL_NO_DISPLAY) throw Error(ErrorKind::device, "EGL gives no display for it");
+    EGLint major = 0, minor = 0;
+    if (!egl_.Initialize(display, &major, &minor)) fail(egl_, "eglInitialize");
+    return display;
   }
 
- private:
   EGLDisplay display_of(const std::string& device) const {
     if (!egl_.GetPlatformDisplay) throw Error(ErrorKind::device, "this EGL has no platform displays");
     if (device == kSurfaceless)
@@ -108,13 +131,10 @@ class EglContext final : public Context {
     throw Error(ErrorKind::device, "EGL lists no such device");
   }
 
-  [[noreturn]] void fail(const char* step) const {
-    throw error(ErrorKind::device, "{} failed (EGL error 0x{:04X})", step, egl_.GetError());
-  }
-
-  Egl egl_;
-  EGLDisplay display_ = EGL_NO_DISPLAY;
-  EGLContext context_ = EGL_NO_CONTEXT;
+  const Egl egl_;
+  const EGLDisplay display_;
+  const OwnContext own_;
+  const Current current_;
 };
 
 /// A container often has the driver's libraries but not the file by which libglvnd finds them.
@@ -130,12 +150,11 @@ std::vector<DeviceInfo> list_egl_devices(std::string& problem) try {
   std::vector<DeviceInfo> hardware, software;
   const std::vector<EGLDeviceEXT> devices = egl.devices();
   for (size_t i = 0; i < devices.size(); ++i) {
-    const bool soft = egl.is_software(devices[i]);
-    (soft ? software : hardware).push_back({fmt::format("egl:{}", i), soft ? "EGL software" : "EGL hardware", ""});
+    (egl.is_software(devices[i]) ? software : hardware).push_back({fmt::format("egl:{}", i), ""});
   }
   if (devices.empty()) problem = no_device_hint();
   hardware.insert(hardware.end(), software.begin(), software.end());
-  if (egl.has("EGL_MESA_platform_surfaceless")) hardware.push_back({kSurfaceless, "EGL surfaceless", ""});
+  if (egl.has("EGL_MESA_platform_surfaceless")) hardware.push_back({kSurfaceless, ""});
   return hardware;
 } catch (const Error& no_library) {
   problem = no_library.what();

@@ -7,7 +7,7 @@
 // clang-format off
 #define HRT_GL_FUNCTIONS(X)                                                                        \
   X(GETSTRING, GetString) X(GETINTEGERV, GetIntegerv) X(GETERROR, GetError)                        \
-  X(ENABLE, Enable) X(DISABLE, Disable) X(DEPTHFUNC, DepthFunc) X(DEPTHMASK, DepthMask)            \
+  X(ENABLE, Enable) X(DEPTHFUNC, DepthFunc) X(DEPTHMASK, DepthMask)                                \
   X(VIEWPORT, Viewport) X(CLIPCONTROL, ClipControl) X(PIXELSTOREI, PixelStorei)                    \
   X(CREATETEXTURES, CreateTextures) X(DELETETEXTURES, DeleteTextures)                              \
   X(TEXTURESTORAGE2D, TextureStorage2D) X(TEXTURESTORAGE3D, TextureStorage3D)                      \
@@ -16,8 +16,7 @@
   X(BINDTEXTUREUNIT, BindTextureUnit) X(BINDIMAGETEXTURE, BindImageTexture)                        \
   X(GETTEXTUREIMAGE, GetTextureImage)                                                              \
   X(CREATEBUFFERS, CreateBuffers) X(DELETEBUFFERS, DeleteBuffers) X(BINDBUFFER, BindBuffer)        \
-  X(NAMEDBUFFERSTORAGE, NamedBufferStorage) X(CLEARNAMEDBUFFERSUBDATA, ClearNamedBufferSubData)    \
-  X(MAPNAMEDBUFFERRANGE, MapNamedBufferRange) X(UNMAPNAMEDBUFFER, UnmapNamedBuffer)                \
+  X(NAMEDBUFFERSTORAGE, NamedBufferStorage) X(MAPNAMEDBUFFERRANGE, MapNamedBufferRange)            \
   X(CREATEFRAMEBUFFERS, CreateFramebuffers) X(DELETEFRAMEBUFFERS, DeleteFramebuffers)              \
   X(NAMEDFRAMEBUFFERTEXTURE, NamedFramebufferTexture)                                              \
   X(NAMEDFRAMEBUFFERDRAWBUFFER, NamedFramebufferDrawBuffer)                                        \

@@ -9,7 +9,7 @@
 namespace hybridrt::gl {
 
 /// One GL name: move-only, deleted with its owner. The Functions it was made with must outlive it.
-/// `Deleter` is the member of Functions that deletes an array of names.
+/// `Deleter` is the member of Functions that deletes an array of names, or a single one.
 template <auto Deleter>
 class Handle {
  public:
@@ -22,7 +22,11 @@ class Handle {
     return *this;
   }
   ~Handle() {
-    if (id_) (gl_->*Deleter)(1, &id_);
+    if (!id_) return;
+    if constexpr (requires { (gl_->*Deleter)(1, &id_); })
+      (gl_->*Deleter)(1, &id_);
+    else
+      (gl_->*Deleter)(id_);
   }
   GLuint id() const { return id_; }
 

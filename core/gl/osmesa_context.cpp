@@ -17,39 +17,60 @@ using MakeCurrent = GLboolean (*)(OsmesaHandle, void* buffer, GLenum type, GLsiz
 using DestroyContext = void (*)(OsmesaHandle);
 using GetProcAddress = void* (*)(const char* name);
 
+struct Osmesa {
+  Library library{"libOSMesa.so.8"};
+  CreateContextAttribs create_context = library.symbol<CreateContextAttribs>("OSMesaCreateContextAttribs");
+  MakeCurrent make_current = library.symbol<MakeCurrent>("OSMesaMakeCurrent");
+  DestroyContext destroy_context = library.symbol<DestroyContext>("OSMesaDestroyContext");
+  GetProcAddress proc_address = library.symbol<GetProcAddress>("OSMesaGetProcAddress");
+};
+
+/// An OpenGL 4.5 core context, destroyed with its owner.
+struct OwnContext {
+  explicit OwnContext(const Osmesa& mesa_) : mesa(mesa_) {
+    const int attributes[] = {
+        kOsmesaFormat, GL_RGBA, kOsmesaProfile, kOsmesaCoreProfile, kOsmesaMajor, 4, kOsmesaMinor, 5, 0};
+    context = mesa.create_context(attributes, nullptr);
+    if (!context) throw Error(ErrorKind::device, "OSMesa cannot make an OpenGL 4.5 core context");
+  }
+  OwnContext(const OwnContext&) = delete;
+  OwnContext& operator=(const OwnContext&) = delete;
+  ~OwnContext() { mesa.destroy_context(context); }
+
+  const Osmesa& mesa;
+  OsmesaHandle context = nullptr;
+};
+
+/// `own` is this thread's context, from construction to destruction.
+struct Current {
+  explicit Current(const OwnContext& own_) : own(own_) {
+    if (!own.mesa.make_current(own.context, screen, GL_UNSIGNED_BYTE, kScreenSize_px, kScreenSize_px))
+      throw Error(ErrorKind::device, "OSMesa cannot make its context current");
+  }
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+  ~Current() { own.mesa.make_current(nullptr, nullptr, 0, 0, 0); }
+
+  // OSMesa wants a default framebuffer; everything is drawn into our own ones.
+  static constexpr int kScreenSize_px = 4;
+  uint32_t screen[kScreenSize_px * kScreenSize_px];
+
+  const OwnContext& own;
+};
+
 class OsmesaContext final : public Context {
  public:
   OsmesaContext() {
-    const int attributes[] = {
-        kOsmesaFormat, GL_RGBA, kOsmesaProfile, kOsmesaCoreProfile, kOsmesaMajor, 4, kOsmesaMinor, 5, 0};
-    context_ = create_(attributes, nullptr);
-    if (!context_) throw Error(ErrorKind::device, "OSMesa cannot make an OpenGL 4.5 core context");
-    if (!make_current_(context_, screen_, GL_UNSIGNED_BYTE, kScreenSize_px, kScreenSize_px)) {
-      destroy_(context_);
-      throw Error(ErrorKind::device, "OSMesa cannot make its context current");
-    }
-    functions_ = load_functions([&](const char* name) { return reinterpret_cast<void*>(proc_address_(name)); });
+    functions_ = load_functions([&](const char* name) { return reinterpret_cast<void*>(mesa_.proc_address(name)); });
     info_ = inspect_current_context(functions_);
     info_.device = kOsmesaDevice;
     info_.binding = "OSMesa";
   }
 
-  ~OsmesaContext() override {
-    make_current_(nullptr, nullptr, 0, 0, 0);
-    destroy_(context_);
-  }
-
  private:
-  // OSMesa wants a default framebuffer; everything is drawn into our own ones.
-  static constexpr int kScreenSize_px = 4;
-  uint32_t screen_[kScreenSize_px * kScreenSize_px];
-
-  Library library_{"libOSMesa.so.8"};
-  CreateContextAttribs create_ = library_.symbol<CreateContextAttribs>("OSMesaCreateContextAttribs");
-  MakeCurrent make_current_ = library_.symbol<MakeCurrent>("OSMesaMakeCurrent");
-  DestroyContext destroy_ = library_.symbol<DestroyContext>("OSMesaDestroyContext");
-  GetProcAddress proc_address_ = library_.symbol<GetProcAddress>("OSMesaGetProcAddress");
-  OsmesaHandle context_ = nullptr;
+  const Osmesa mesa_;
+  const OwnContext own_{mesa_};
+  Current current_{own_};
 };
 
 }  // namespace

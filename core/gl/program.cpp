@@ -52,18 +52,19 @@ std::string one_line(std::string_view log) {
   return line;
 }
 
-GLuint compile(const Functions& gl, const ShaderSources& sources, std::string_view file) {
+using Shader = Handle<&Functions::DeleteShader>;
+
+Shader compile(const Functions& gl, const ShaderSources& sources, std::string_view file) {
   const std::string text = expand_includes(sources, file);
   const char* data = text.c_str();
-  const GLuint shader = gl.CreateShader(stage_of(file));
-  gl.ShaderSource(shader, 1, &data, nullptr);
-  gl.CompileShader(shader);
+  Shader shader(gl, gl.CreateShader(stage_of(file)));
+  gl.ShaderSource(shader.id(), 1, &data, nullptr);
+  gl.CompileShader(shader.id());
   GLint ok = 0;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+  gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
   if (ok) return shader;
   char log[4096] = "";
-  gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
-  gl.DeleteShader(shader);
+  gl.GetShaderInfoLog(shader.id(), sizeof log, nullptr, log);
   throw error(ErrorKind::device, "shader {} does not compile: {}", file, one_line(log));
 }
 
@@ -90,12 +91,10 @@ std::string expand_includes(const ShaderSources& sources, std::string_view name)
 }
 
 Program::Program(const Functions& gl, const ShaderSources& sources, std::initializer_list<std::string_view> files)
-    : gl_(gl) {
-  id_ = gl.CreateProgram();
+    : Handle(gl, gl.CreateProgram()) {
   for (std::string_view file : files) {
-    const GLuint shader = compile(gl, sources, file);
-    gl.AttachShader(id_, shader);
-    gl.DeleteShader(shader);  // lives on as long as the program
+    const Shader shader = compile(gl, sources, file);
+    gl.AttachShader(id_, shader.id());  // which lives on as long as the program
     name_ += (name_.empty() ? "" : " + ") + std::string(file);
   }
   gl.LinkProgram(id_);
@@ -104,27 +103,9 @@ Program::Program(const Functions& gl, const ShaderSources& sources, std::initial
   if (!ok) {
     char log[4096] = "";
     gl.GetProgramInfoLog(id_, sizeof log, nullptr, log);
-    gl.DeleteProgram(id_);
     throw error(ErrorKind::device, "shaders {} do not link: {}", name_, one_line(log));
   }
   gl.ObjectLabel(GL_PROGRAM, id_, static_cast<GLsizei>(name_.size()), name_.c_str());
-}
-
-Program::~Program() { gl_.DeleteProgram(id_); }
-
-GLint Program::location(const char* uniform) const {
-  const GLint location = gl_.GetUniformLocation(id_, uniform);
-  if (location < 0) throw CheckFailed(fmt::format("{} has no active uniform '{}'", name_, uniform));
-  return location;
-}
-
-void Program::set(const char* uniform, int value) const { gl_.ProgramUniform1i(id_, location(uniform), value); }
-void Program::set(const char* uniform, float value) const { gl_.ProgramUniform1f(id_, location(uniform), value); }
-void Program::set(const char* uniform, const vec3& value) const {
-  gl_.ProgramUniform3fv(id_, location(uniform), 1, &value.x);
-}
-void Program::set(const char* uniform, const mat4& value) const {
-  gl_.ProgramUniformMatrix4fv(id_, location(uniform), 1, GL_FALSE, &value[0].x);
 }
 
 }  // namespace hybridrt::gl

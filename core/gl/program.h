@@ -5,8 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/math.h"
-#include "core/gl/functions.h"
+#include "core/gl/objects.h"
 
 namespace hybridrt::gl {
 
@@ -24,26 +23,15 @@ ShaderSources load_shaders(const std::string& folder);
 std::string expand_includes(const ShaderSources& sources, std::string_view name);
 
 /// A linked program. Stages by extension: .vert .frag .comp. Throws Error(device) with the driver's log.
-class Program {
+class Program : public Handle<&Functions::DeleteProgram> {
  public:
   Program(const Functions& gl, const ShaderSources& sources, std::initializer_list<std::string_view> files);
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
-  ~Program();
 
-  void use() const { gl_.UseProgram(id_); }
-
-  /// A name that the program does not use is an error (CheckFailed): it is always our mistake.
-  void set(const char* uniform, int value) const;
-  void set(const char* uniform, float value) const;
-  void set(const char* uniform, const vec3& value) const;
-  void set(const char* uniform, const mat4& value) const;
+  void use() const { gl_->UseProgram(id_); }
+  const Functions& functions() const { return *gl_; }
+  const std::string& name() const { return name_; }  ///< its files
 
  private:
-  GLint location(const char* uniform) const;
-
-  const Functions& gl_;
-  GLuint id_ = 0;
   std::string name_;
 };
 

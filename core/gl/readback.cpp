@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/check.h"
 #include "core/base/error.h"
 
 namespace hybridrt::gl {
@@ -9,42 +10,46 @@ namespace {
 
 constexpr unsigned char kSentinel = 0xFE;  // no pixel that we read consists of such bytes
 constexpr size_t kProbe_bytes = 4;
+constexpr GLbitfield kMapping = GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
 
-bool untouched(const unsigned char* bytes) {
-  return std::all_of(bytes, bytes + kProbe_bytes, [](unsigned char byte) { return byte == kSentinel; });
+// Where it is looked whether pixels have come.
+std::span<unsigned char> first(std::span<unsigned char> all) { return all.first(std::min(kProbe_bytes, all.size())); }
+std::span<unsigned char> last(std::span<unsigned char> all) { return all.last(std::min(kProbe_bytes, all.size())); }
+
+bool untouched(std::span<const unsigned char> bytes) {
+  return std::ranges::all_of(bytes, [](unsigned char byte) { return byte == kSentinel; });
 }
 
 }  // namespace
 
 Readback::Readback(const Functions& gl, size_t bytes, const std::string& label)
-    : gl_(&gl),
-      label_(label),
-      buffer_(gl, bytes, nullptr, GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT | GL_CLIENT_STORAGE_BIT,
-              label) {
-  mapped_ = static_cast<const unsigned char*>(
-      gl.MapNamedBufferRange(buffer_.id(), 0, static_cast<GLsizeiptr>(std::max<size_t>(bytes, 4)),
-                             GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT));
-  if (!mapped_) throw error(ErrorKind::device, "{}: the driver cannot map a readback buffer of {} bytes", label, bytes);
+    : gl_(&gl), label_(label), buffer_(gl, bytes, nullptr, kMapping | GL_CLIENT_STORAGE_BIT, label) {
+  void* mapped = gl.MapNamedBufferRange(buffer_.id(), 0, static_cast<GLsizeiptr>(std::max<size_t>(bytes, 4)), kMapping);
+  if (!mapped) throw error(ErrorKind::device, "{}: the driver cannot map a readback buffer of {} bytes", label, bytes);
+  mapped_ = {static_cast<unsigned char*>(mapped), bytes};
 }
 
 void Readback::start(const TextureName& texture, GLenum format, GLenum type) {
   const Functions& gl = *gl_;
-  gl.ClearNamedBufferSubData(buffer_.id(), GL_R8UI, 0, static_cast<GLsizeiptr>(buffer_.size_bytes), GL_RED_INTEGER,
-                             GL_UNSIGNED_BYTE, &kSentinel);
+  HRT_CHECK(!done_);
+  // Written here, not by the driver: one that drops commands would leave the last picture in place of a clear as well.
+  std::ranges::fill(first(mapped_), kSentinel);
+  std::ranges::fill(last(mapped_), kSentinel);
   gl.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl.BindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
   gl.GetTextureImage(texture.id(), 0, format, type, static_cast<GLsizei>(buffer_.size_bytes), nullptr);
   gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   gl.MemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-  done_ = std::make_unique<Fence>(gl);
+  auto done = std::make_unique<Fence>(gl);
   throw_on_error(gl, label_.c_str());
+  done_ = std::move(done);
 }
 
 void Readback::wait() {
-  done_->wait();
-  if (buffer_.size_bytes >= kProbe_bytes &&
-      (untouched(mapped_) || untouched(mapped_ + buffer_.size_bytes - kProbe_bytes)))
+  HRT_CHECK(done_);
+  std::exchange(done_, nullptr)->wait();
+  if (untouched(first(mapped_)) || untouched(last(mapped_)))
     throw error(ErrorKind::device, "{}: the GL driver did not deliver the pixels; try a smaller picture", label_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "core/gl/objects.h"
@@ -17,19 +18,19 @@ class Readback {
   /// Queues the copy of mip level 0, rows tightly packed, layer after layer.
   void start(const TextureName& texture, GLenum format, GLenum type);
 
-  /// Waits until the pixels are there. Throws Error(device) when the driver has not written them: a limit
-  /// that is passed silently must not become a black frame.
+  /// Waits until the pixels are there; once for each start(). Throws Error(device) when the driver has not written
+  /// them: a limit that is passed silently must not become a black frame, or the last one.
   void wait();
 
   /// Valid after wait(), until the next start().
-  const void* data() const { return mapped_; }
+  const void* data() const { return mapped_.data(); }
 
  private:
   const Functions* gl_;
   std::string label_;
   Buffer buffer_;
-  const unsigned char* mapped_ = nullptr;
-  std::unique_ptr<Fence> done_;
+  std::span<unsigned char> mapped_;
+  std::unique_ptr<Fence> done_;  ///< between start() and wait()
 };
 
 }  // namespace hybridrt::gl

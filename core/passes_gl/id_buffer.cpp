@@ -27,8 +27,8 @@ void IdBufferPass::run(const In& in, const Out& out) const {
   gl.ClearNamedFramebufferfv(out.ids.id(), GL_DEPTH, 0, &infinitely_far);
 
   program_.use();
-  set_eye_uniforms(program_, in.view.eye);
-  program_.set("clip_from_eye", mat4(clip_from_eye(in.view, in.near_distance)));
+  eye_.set(in.view.eye);
+  clip_from_eye_.set(mat4(clip_from_eye(in.view, in.near_distance)));
   if (holes_)
     in.scene.draw_with_holes(gl);
   else
@@ -47,18 +47,18 @@ void ShadowTestPass::run(const In& in, const Out& out) const {
   gl.BindImageTexture(HRT_IMAGE_OUT, out.mask.id(), 0, GL_FALSE, out.layer, GL_WRITE_ONLY, GL_R8UI);
 
   program_.use();
-  set_view_uniforms(program_, in.view);
-  program_.set("map_from_eye", mat4(in.fit.map_from_origin * glm::translate(dmat4(1), in.view.eye - in.fit.origin)));
-  program_.set("inverse_w_slope", static_cast<float>(in.fit.inverse_w_slope));
-  program_.set("texel_across", static_cast<float>(in.fit.texel_across));
-  program_.set("texel_along", static_cast<float>(in.fit.texel_along));
-  program_.set("to_light", vec3(in.to_light));
-  program_.set("across", vec3(in.fit.across));
-  program_.set("along", vec3(in.fit.along));
-  program_.set("uniform_texel", static_cast<float>(in.fit.uniform_texel));
-  program_.set("lean_first", static_cast<float>(in.fit.lean_first));
-  program_.set("lean_step", static_cast<float>(in.fit.lean_step));
-  program_.set("warped", in.fit.warped);
+  view_.set(in.view);
+  map_from_eye_.set(mat4(in.fit.map_from_origin * glm::translate(dmat4(1), in.view.eye - in.fit.origin)));
+  inverse_w_slope_.set(static_cast<float>(in.fit.inverse_w_slope));
+  texel_across_.set(static_cast<float>(in.fit.texel_across));
+  texel_along_.set(static_cast<float>(in.fit.texel_along));
+  to_light_.set(vec3(in.to_light));
+  across_.set(vec3(in.fit.across));
+  along_.set(vec3(in.fit.along));
+  uniform_texel_.set(static_cast<float>(in.fit.uniform_texel));
+  lean_first_.set(static_cast<float>(in.fit.lean_first));
+  lean_step_.set(static_cast<float>(in.fit.lean_step));
+  warped_.set(in.fit.warped);
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);
   gl::throw_on_error(gl, "pass 2, shadow test");

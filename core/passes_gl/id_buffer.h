@@ -2,6 +2,7 @@
 
 #include "core/passes/shadow_map_fit.h"
 #include "core/passes_gl/scene_gpu.h"
+#include "core/passes_gl/view_uniforms.h"
 
 namespace hybridrt {
 
@@ -24,6 +25,8 @@ struct IdBufferPass {
   const gl::Functions& gl_;
   const bool holes_;
   gl::Program program_;
+  FarPointUniforms eye_{program_, "eye"};
+  gl::Uniform<mat4> clip_from_eye_{program_, "clip_from_eye"};
 };
 
 /// Pass 2, second step: the shadow-map test, once for every pixel that sees a triangle.
@@ -47,6 +50,16 @@ struct ShadowTestPass {
  private:
   const gl::Functions& gl_;
   gl::Program program_;
+  ViewUniforms view_{program_};
+  gl::Uniform<vec3> to_light_{program_, "to_light"};
+  // As ShadowMapFit has them.
+  gl::Uniform<mat4> map_from_eye_{program_, "map_from_eye"};
+  gl::Uniform<vec3> across_{program_, "across"}, along_{program_, "along"};
+  gl::Uniform<float> inverse_w_slope_{program_, "inverse_w_slope"};
+  gl::Uniform<float> texel_across_{program_, "texel_across"}, texel_along_{program_, "texel_along"};
+  gl::Uniform<float> uniform_texel_{program_, "uniform_texel"};
+  gl::Uniform<float> lean_first_{program_, "lean_first"}, lean_step_{program_, "lean_step"};
+  gl::Uniform<int> warped_{program_, "warped"};
 };
 
 }  // namespace hybridrt

@@ -6,7 +6,7 @@
 namespace hybridrt {
 
 MarkBoundaryPass::MarkBoundaryPass(const gl::Functions& gl, const gl::ShaderSources& shaders)
-    : gl_(gl), rows_(gl, shaders, {"blur_rows.comp"}), mark_(gl, shaders, {"blur_mark.comp"}) {}
+    : gl_(gl), rows_{{gl, shaders, {"blur_rows.comp"}}}, mark_{{gl, shaders, {"blur_mark.comp"}}} {}
 
 void MarkBoundaryPass::run(const In& in, const Out& out) const {
   HRT_CHECK(in.kernel_px % 2 == 1 && in.kernel_px >= 1 && in.kernel_px <= 31);
@@ -14,16 +14,16 @@ void MarkBoundaryPass::run(const In& in, const Out& out) const {
   const int groups_x = group_count(in.width_px), groups_y = group_count(in.height_px);
   gl.BindTextureUnit(HRT_UNIT_MASK, in.mask.id());
 
-  rows_.use();
-  rows_.set("radius_px", in.kernel_px / 2);
-  rows_.set("layer", in.layer);
+  rows_.program.use();
+  rows_.radius_px.set(in.kernel_px / 2);
+  rows_.layer.set(in.layer);
   gl.BindImageTexture(HRT_IMAGE_OUT, out.row_sums.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG8UI);
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(groups_x, groups_y, 1);
 
-  mark_.use();
-  mark_.set("radius_px", in.kernel_px / 2);
-  mark_.set("layer", in.layer);
+  mark_.program.use();
+  mark_.radius_px.set(in.kernel_px / 2);
+  mark_.layer.set(in.layer);
   gl.BindTextureUnit(HRT_UNIT_TRACED, out.row_sums.id());
   gl.BindImageTexture(HRT_IMAGE_OUT, out.marked_mask.id(), 0, GL_FALSE, in.layer, GL_WRITE_ONLY, GL_R8UI);
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/gl/uniform.h"
 #include "core/passes_gl/scene_gpu.h"
 
 namespace hybridrt {
@@ -22,8 +23,13 @@ struct MarkBoundaryPass {
   void run(const In& in, const Out& out) const;
 
  private:
+  struct Step {
+    gl::Program program;
+    gl::Uniform<int> radius_px{program, "radius_px"}, layer{program, "layer"};
+  };
+
   const gl::Functions& gl_;
-  gl::Program rows_, mark_;
+  Step rows_, mark_;
 };
 
 }  // namespace hybridrt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/gl/program.h"
 #include "core/passes_gl/scene_gpu.h"
 
 namespace hybridrt {

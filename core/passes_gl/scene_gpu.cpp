@@ -132,25 +132,6 @@ void SceneGpu::bind_shading(const gl::Functions& gl) const {
   if (textures) textures->bind(gl);
 }
 
-void set_eye_uniforms(const gl::Program& program, const dvec3& eye) {
-  set_far_point(program, "eye_high", "eye_low", eye);
-}
-
-void set_far_point(const gl::Program& program, const char* high_name, const char* low_name, const dvec3& point) {
-  const vec3 high(point);
-  program.set(high_name, high);
-  program.set(low_name, vec3(point - dvec3(high)));
-}
-
-void set_view_uniforms(const gl::Program& program, const View& view) {
-  set_eye_uniforms(program, view.eye);
-  program.set("ray_first", vec3(view.ray_first()));
-  program.set("ray_step_x", vec3(view.ray_step_x()));
-  program.set("ray_step_y", vec3(view.ray_step_y()));
-  program.set("first_pixel_x", view.x_px);
-  program.set("first_pixel_y", view.y_px);
-}
-
 int group_count(int size_px) { return (size_px + HRT_GROUP_PX - 1) / HRT_GROUP_PX; }
 
 }  // namespace hybridrt

@@ -4,9 +4,7 @@
 
 #include "core/gl/context.h"
 #include "core/gl/objects.h"
-#include "core/gl/program.h"
 #include "core/scene/scene.h"
-#include "core/scene/view.h"
 
 namespace hybridrt {
 
@@ -45,15 +43,6 @@ struct SceneGpu {
   /// Binds normals, materials and textures too.
   void bind_shading(const gl::Functions& gl) const;
 };
-
-/// The uniforms of shaders/scene.glsl that come from the camera.
-void set_view_uniforms(const gl::Program& program, const View& view);
-
-/// `eye_high` and `eye_low`: the eye as the sum of two floats.
-void set_eye_uniforms(const gl::Program& program, const dvec3& eye);
-
-/// A point as the sum of two floats: subtracting them one after the other loses nothing of what is near it.
-void set_far_point(const gl::Program& program, const char* high, const char* low, const dvec3& point);
 
 /// Work groups that cover `size_px` pixels along one side.
 int group_count(int size_px);

@@ -9,9 +9,11 @@
 namespace hybridrt {
 namespace {
 
+// With none the compiler would leave the geometry out, and some uniforms with it: then there is a black one.
+size_t compiled_count(size_t light_count) { return std::max<size_t>(light_count, 1); }
+
 gl::ShaderSources with_light_count(gl::ShaderSources shaders, size_t light_count) {
-  // With none the compiler would leave the geometry out, and some uniforms with it: then there is a black one.
-  shaders["light_count.glsl"] = fmt::format("#define HRT_LIGHT_COUNT {}\n", std::max<size_t>(light_count, 1));
+  shaders["light_count.glsl"] = fmt::format("#define HRT_LIGHT_COUNT {}\n", compiled_count(light_count));
   return shaders;
 }
 
@@ -20,19 +22,22 @@ gl::ShaderSources with_light_count(gl::ShaderSources shaders, size_t light_count
 ShadePass::ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, size_t light_count, bool textured)
     : gl_(gl),
       light_count_(light_count),
-      textured_(textured),
-      program_(gl, with_light_count(shaders, light_count), {textured ? "shade_textured.comp" : "shade.comp"}) {}
+      program_(gl, with_light_count(shaders, light_count), {textured ? "shade_textured.comp" : "shade.comp"}) {
+  for (size_t l = 0; l < compiled_count(light_count); ++l)
+    lights_.push_back({{program_, fmt::format("to_light[{}]", l)}, {program_, fmt::format("light[{}]", l)}});
+  if (textured) sample_area_.emplace(program_, "sample_area");
+}
 
 void ShadePass::set_lights(const In& in) const {
   HRT_CHECK_EQ(in.lights.size(), light_count_);
   int masked = 0;
-  if (in.lights.empty()) program_.set("light[0]", vec3(0));
+  if (in.lights.empty()) lights_[0].color.set(vec3(0));
   for (size_t l = 0; l < in.lights.size(); ++l) {
-    program_.set(fmt::format("to_light[{}]", l).c_str(), vec3(in.lights[l].toward));
-    program_.set(fmt::format("light[{}]", l).c_str(), in.lights[l].color);
+    lights_[l].toward.set(vec3(in.lights[l].toward));
+    lights_[l].color.set(in.lights[l].color);
     if (in.mask && in.lights[l].casts_shadow) masked |= 1 << l;
   }
-  program_.set("masked_lights", masked);
+  masked_lights_.set(masked);
 }
 
 void ShadePass::run(const In& in, const Out& out) const {
@@ -44,12 +49,12 @@ void ShadePass::run(const In& in, const Out& out) const {
   gl.BindImageTexture(HRT_IMAGE_OUT, out.picture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
 
   program_.use();
-  set_view_uniforms(program_, in.view);
-  program_.set("use_traced", in.traced ? 1 : 0);
+  view_.set(in.view);
+  use_traced_.set(in.traced ? 1 : 0);
   set_lights(in);
-  program_.set("ambient", in.ambient);
-  program_.set("background", in.background);
-  if (textured_) program_.set("sample_area", static_cast<float>(in.view.sample_area()));
+  ambient_.set(in.ambient);
+  background_.set(in.background);
+  if (sample_area_) sample_area_->set(static_cast<float>(in.view.sample_area()));
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);
   gl::throw_on_error(gl, "pass 5, shading");

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/passes_gl/scene_gpu.h"
+#include "core/passes_gl/view_uniforms.h"
 
 namespace hybridrt {
 
@@ -28,12 +31,19 @@ struct ShadePass {
   void run(const In& in, const Out& out) const;
 
  private:
+  struct LightUniforms {
+    gl::Uniform<vec3> toward, color;
+  };
   void set_lights(const In& in) const;
 
   const gl::Functions& gl_;
   const size_t light_count_;
-  const bool textured_;
   gl::Program program_;
+  ViewUniforms view_{program_};
+  std::vector<LightUniforms> lights_;
+  gl::Uniform<int> masked_lights_{program_, "masked_lights"}, use_traced_{program_, "use_traced"};
+  gl::Uniform<vec3> ambient_{program_, "ambient"}, background_{program_, "background"};
+  std::optional<gl::Uniform<float>> sample_area_;  ///< where there are textures
 };
 
 }  // namespace hybridrt

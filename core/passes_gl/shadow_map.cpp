@@ -25,8 +25,8 @@ void ShadowMapPass::run(const In& in, const Out& out) const {
   clip_from_map[0][0] = clip_from_map[1][1] = 2;
   clip_from_map[3][0] = clip_from_map[3][1] = -1;
   program_.use();
-  set_far_point(program_, "origin_high", "origin_low", in.fit.origin);
-  program_.set("clip_from_origin", mat4(clip_from_map * in.fit.map_from_origin));
+  origin_.set(in.fit.origin);
+  clip_from_origin_.set(mat4(clip_from_map * in.fit.map_from_origin));
   if (holes_)
     in.scene.draw_with_holes(gl);
   else

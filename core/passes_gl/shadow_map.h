@@ -2,6 +2,7 @@
 
 #include "core/passes/shadow_map_fit.h"
 #include "core/passes_gl/scene_gpu.h"
+#include "core/passes_gl/view_uniforms.h"
 
 namespace hybridrt {
 
@@ -24,6 +25,8 @@ struct ShadowMapPass {
   const gl::Functions& gl_;
   const bool holes_;
   gl::Program program_;
+  FarPointUniforms origin_{program_, "origin"};
+  gl::Uniform<mat4> clip_from_origin_{program_, "clip_from_origin"};
 };
 
 }  // namespace hybridrt

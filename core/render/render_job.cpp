@@ -59,9 +59,7 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
     ready();
     render_on_cpu(job.scene, job.facts, job.topology, job.settings, rays, pool, next, deliver);
   } else {
-    gl::ContextRequest request = job.gl;
-    request.threads = pool.size();
-    const std::unique_ptr<gl::Context> context = gl::open_context(request);
+    const std::unique_ptr<gl::Context> context = gl::open_context(job.gl);
     facts.gl = context->info();
     const bool rays_needed = needs_caster(job.facts, job.settings, lights_move(job.lights, job.motion));
     GlRenderer renderer(*context, job.shaders, job.scene, job.facts, job.topology, job.settings,

@@ -25,8 +25,8 @@ struct RenderJob {
   LightMotion lights;
   SceneCaster<float> caster;  ///< of `scene` by settings.accel, if it was needed already; else run() builds one
   uint64_t most_bytes = std::numeric_limits<uint64_t>::max();  ///< of memory, as the estimates go
-  gl::ContextRequest gl;                                       ///< its `threads` is set from the pool's
-  gl::ShaderSources shaders;                                   ///< for the methods that use GL
+  gl::ContextRequest gl;
+  gl::ShaderSources shaders;  ///< for the methods that use GL
 };
 
 /// Gives the job its scene and works out, once for the run, what hangs on it.

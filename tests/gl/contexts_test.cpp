@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include "core/base/parallel.h"
 #include "core/gl/program.h"
@@ -20,6 +23,20 @@ std::string device_error(const Action& action) {
   }
   ADD_FAILURE() << "nothing was thrown";
   return "";
+}
+
+struct Held {
+  int64_t threads, files;
+  size_t bytes;
+};
+
+/// What this process holds of the system. Sanitizers have a malloc of their own: no bytes are seen then.
+Held held() {
+  const auto entries = [](const char* folder) {
+    return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+  };
+  const auto heap = mallinfo2();
+  return {entries("/proc/self/task"), entries("/proc/self/fd"), heap.uordblks + heap.hblkhd};
 }
 
 struct Way {
@@ -90,6 +107,25 @@ TEST(ContextErrors, RequiredHardwareSaysWhatWasTried) {
     EXPECT_EQ(refused.kind(), ErrorKind::device);
     EXPECT_NE(std::string(refused.what()).find("tried"), std::string::npos) << refused.what();
   }
+}
+
+// Whether the device is refused when its context is there already, or no such device is known.
+TEST(ContextErrors, LeaveNothingBehind) {
+  std::vector<gl::DeviceInfo> failed;
+  const std::vector<gl::ContextInfo> usable = gl::probe_devices(failed);
+  if (!std::all_of(usable.begin(), usable.end(), [](const auto& info) { return info.software; }))
+    GTEST_SKIP() << "a hardware renderer is not refused";
+  const auto try_all = [] {
+    EXPECT_THROW(gl::open_context({gl::Binding::any, "", true}), Error);
+    EXPECT_THROW(gl::open_context({gl::Binding::any, "egl:99"}), Error);
+  };
+  try_all();
+  const Held before = held();
+  for (int i = 0; i < 20; ++i) try_all();
+  const Held after = held();
+  EXPECT_LE(after.threads, before.threads);
+  EXPECT_LE(after.files, before.files);
+  EXPECT_LT(after.bytes, before.bytes + (1 << 20)) << "llvmpipe's contexts are as large each, or larger";
 }
 
 TEST(ContextErrors, ProbeFindsWhatOpens) {

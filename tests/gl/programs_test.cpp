@@ -1,7 +1,9 @@
-// Shader programs and readback: what the driver reports reaches the user.
+// Shader programs: what the driver reports reaches the user.
+
+#include <set>
 
 #include "core/base/check.h"
-#include "core/gl/program.h"
+#include "core/gl/uniform.h"
 #include "tests/gl/gl_test.h"
 
 namespace hybridrt {
@@ -54,9 +56,54 @@ TEST_F(Programs, MissingFilesAreNamed) {
   EXPECT_NE(compile_error(includes_nothing, {"a.comp"}).find("gone.glsl"), std::string::npos);
 }
 
+/// Functions that count the shaders and programs of a context: each one made is live until it is deleted.
+struct CountedObjects {
+  explicit CountedObjects(const gl::Functions& gl) : counting(gl) {
+    real = &gl;
+    live.clear();
+    made = 0;
+    counting.CreateShader = [](GLenum stage) { return add(real->CreateShader(stage)); };
+    counting.CreateProgram = [] { return add(real->CreateProgram()); };
+    counting.DeleteShader = [](GLuint id) { live.erase(id), real->DeleteShader(id); };
+    counting.DeleteProgram = [](GLuint id) { live.erase(id), real->DeleteProgram(id); };
+  }
+  static GLuint add(GLuint id) {
+    live.insert(id);
+    ++made;
+    return id;
+  }
+
+  gl::Functions counting;
+  // Static, since GL's functions take no pointer of ours. Shaders and programs share their names.
+  static inline const gl::Functions* real;
+  static inline std::set<GLuint> live;
+  static inline int made;
+};
+
+TEST_F(Programs, LeaveNoObjectBehind) {
+  const CountedObjects objects(gl());
+  const std::string vertex = "#version 450 core\nout vec3 c;\nvoid main() { c = vec3(0); gl_Position = vec4(0); }\n";
+  const auto fails_with = [&](const std::string& fragment, int objects_made) {
+    objects.made = 0;
+    const gl::ShaderSources sources = {{"a.vert", vertex}, {"a.frag", fragment}};
+    EXPECT_THROW(gl::Program(objects.counting, sources, {"a.vert", "a.frag"}), Error) << fragment;
+    EXPECT_EQ(objects.made, objects_made) << fragment;
+    EXPECT_TRUE(objects.live.empty()) << fragment;
+  };
+  fails_with("#version 450 core\n#include \"gone.glsl\"\n", 2);
+  fails_with("#version 450 core\nvoid main() { no_such_name = 1; }\n", 3);
+  fails_with("#version 450 core\nin vec4 c;\nout vec4 o;\nvoid main() { o = c; }\n", 3);  // does not link
+
+  {
+    const gl::Program program(objects.counting, {{"empty.comp", kEmptyCompute}}, {"empty.comp"});
+    EXPECT_EQ(objects.live.size(), 1u) << "the shader belongs to the program now";
+  }
+  EXPECT_TRUE(objects.live.empty());
+}
+
 TEST_F(Programs, UnusedUniformIsOurMistake) {
   const gl::Program program(gl(), {{"empty.comp", kEmptyCompute}}, {"empty.comp"});
-  EXPECT_THROW(program.set("missing", 1), CheckFailed);
+  EXPECT_THROW(gl::Uniform<int>(program, "missing"), CheckFailed);
 }
 
 TEST(Includes, AreExpandedOnceAndKeepLineNumbers) {
@@ -75,33 +122,6 @@ TEST(EmbeddedShaders, AreTheFilesOfTheSourceTree) {
   for (const auto& [name, text] : gl::load_shaders(HYBRIDRT_SHADERS))
     EXPECT_TRUE(embedded.contains(name) && embedded.at(name) == text) << name;
   EXPECT_TRUE(embedded.contains("surface.glsl"));
-}
-
-class Readbacks : public GlTest {};
-
-// A driver that delivers nothing leaves the sentinel: that must not become a picture. A texture full of the
-// sentinel's own bytes looks just the same.
-TEST_F(Readbacks, UnwrittenPixelsThrow) {
-  for (const uint32_t pixel : {0u, 0xFFFFFFFFu, 0xFEFEFEFEu}) {
-    const gl::Texture texture(gl(), GL_R32UI, 4, 4, "texture");
-    write_pixels(gl(), texture, 4, 4, GL_RED_INTEGER, GL_UNSIGNED_INT, std::vector<uint32_t>(16, pixel));
-    const auto read = [&] { return read_pixels<uint32_t>(gl(), texture, 4, 4, GL_RED_INTEGER, GL_UNSIGNED_INT); };
-    if (pixel == 0xFEFEFEFEu)
-      EXPECT_THROW(read(), Error);
-    else
-      EXPECT_EQ(read(), std::vector<uint32_t>(16, pixel));
-  }
-}
-
-TEST_F(Readbacks, CanBeReused) {
-  const gl::Texture texture(gl(), GL_R8UI, 3, 5, "texture");
-  gl::Readback readback(gl(), 15, "reused");
-  for (uint8_t value : {1, 2, 3}) {
-    write_pixels(gl(), texture, 3, 5, GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::vector<uint8_t>(15, value));
-    readback.start(texture, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
-    readback.wait();
-    for (int i = 0; i < 15; ++i) EXPECT_EQ(static_cast<const uint8_t*>(readback.data())[i], value);
-  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/gl/uniform.h"
 #include "core/passes_gl/scene_gpu.h"
 #include "core/trace/texture_lookup.h"
 #include "tests/gl/frame_test.h"
@@ -40,8 +41,8 @@ class TexturesOnTheGpu : public GlTest {
     gl().BindTextureUnit(0, texels.id());
     gl().BindImageTexture(0, outputs.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     program.use();
-    program.set("record", static_cast<int>(record));
-    program.set("maps", static_cast<int>(maps));
+    gl::Uniform<int>(program, "record").set(static_cast<int>(record));
+    gl::Uniform<int>(program, "maps").set(static_cast<int>(maps));
     gl().DispatchCompute(kWidth_px / 8, kHeight_px / 8, 1);
     return read_pixels<vec4>(gl(), outputs, kWidth_px, kHeight_px, GL_RGBA, GL_FLOAT);
   }

@@ -58,7 +58,7 @@ TEST(CameraJson, RefusesWhatItCannotMean) {
   const auto keys = [](const string& k) { return camera_error("{\"keyframes\":[" + k + "]}"); };
   EXPECT_TRUE(contains(keys(""), "no keys"));
   EXPECT_TRUE(contains(keys(key(1, "[0,0,0]")), "keyframes[0]: eye and target are the same point"));
-  EXPECT_TRUE(contains(keys(key(1, "[0,0,1]", ",\"fov_y_deg\":0")), "keyframes[0].fov_y_deg: 0: allowed"));
+  EXPECT_TRUE(contains(keys(key(1, "[0,0,1]", ",\"fov_y_deg\":0")), "keyframes[0].fov_y_deg: 0: must be"));
   EXPECT_TRUE(contains(keys(key(1, "[0,0,1]", ",\"fov_y_deg\":180")), "fov_y_deg: 180"));
   EXPECT_TRUE(contains(keys(key(5, "[0,0,1]") + "," + key(5, "[0,1,1]")), "keyframes[1]: frame 5 is there twice"));
   EXPECT_TRUE(contains(keys(key(5, "[0,0,1]") + "," + key(4, "[0,1,1]")), "frame 4 comes after frame 5"));
