@@ -65,10 +65,12 @@ RenderJob load_showing_progress(const RenderOptions& options, const SceneSource&
                                 Warnings& warnings, bool quiet) {
   LoadProgress progress;
   std::optional<LoadingLine> line;
-  if (!quiet && isatty(STDERR_FILENO)) try {
+  if (!quiet && isatty(STDERR_FILENO)) {
+    try {
       line.emplace(std::filesystem::path(source.argument).filename().string(), progress);
     } catch (const std::system_error&) {  // no thread: no line
     }
+  }
   return make_render_job(options, source, pool, warnings, &progress);
 }
 
