@@ -20,7 +20,7 @@ std::string in_one_line(const std::string& text);
 
 /// The world is wrong: the message says what, where (file, line or element), and what to do, in one line. Only a
 /// device's own log may have more.
-class Error : public std::runtime_error {
+class [[nodiscard]] Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message)
       : std::runtime_error(kind == ErrorKind::device ? message : in_one_line(message)), kind_(kind) {}

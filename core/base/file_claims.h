@@ -27,14 +27,15 @@ class FileClaims {
   FileClaims& operator=(const FileClaims&) = delete;
 
   /// One file. Devices and pipes are nobody's. Throws as below.
-  Answer claim(const std::filesystem::path& file);
+  [[nodiscard]] Answer claim(const std::filesystem::path& file);
 
   /// Frames `first`..`last` (>= 0) of the files in `folder` that `name` stands for; equal names are the same files.
   /// The folder is made if it is missing. Throws Error(output) where that or writing to it fails.
-  Answer claim(const std::filesystem::path& folder, std::string_view name, int first, int last);
+  [[nodiscard]] Answer claim(const std::filesystem::path& folder, std::string_view name, int first, int last);
 
  private:
-  Answer lock(const std::filesystem::path& folder, int64_t start, int64_t length, const std::filesystem::path& shown);
+  [[nodiscard]] Answer lock(const std::filesystem::path& folder, int64_t start, int64_t length,
+                            const std::filesystem::path& shown);
 
   std::map<std::filesystem::path, int> locks_;  ///< folder: descriptor of its lock file
 };

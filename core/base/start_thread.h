@@ -13,9 +13,9 @@ namespace hybridrt {
 Error no_thread(const std::system_error& problem);
 
 /// A thread that runs `body`. Throws no_thread() when the system gives none.
-std::thread start_thread(std::function<void()> body);
+[[nodiscard]] std::thread start_thread(std::function<void()> body);
 
 /// `body` on a thread of its own, as std::async. Throws as start_thread.
-std::future<void> start_task(std::function<void()> body);
+[[nodiscard]] std::future<void> start_task(std::function<void()> body);
 
 }  // namespace hybridrt

@@ -8,6 +8,7 @@ namespace hybridrt {
 
 /// Claims the pictures of `frames`, and with them their AOVs: runs of other frames may go on beside this one. A range
 /// with a step counts frame by frame up to 1000 frames, beyond as if it had none. Throws as FileClaims::claim().
-FileClaims::Answer claim_frames(FileClaims& claims, const OutputPattern& pattern, const FrameSpec& frames);
+[[nodiscard]] FileClaims::Answer claim_frames(FileClaims& claims, const OutputPattern& pattern,
+                                              const FrameSpec& frames);
 
 }  // namespace hybridrt

@@ -12,10 +12,10 @@ namespace hybridrt {
 dvec2 sample_offset_px(int sample);
 
 /// Each request `samples` times over, with the offset of each sample.
-NextFrame sampled(NextFrame next, int samples);
+[[nodiscard]] NextFrame sampled(NextFrame next, int samples);
 
 /// The other end: waits for all samples of a frame, in order, and delivers their mean. Times and counts are summed;
 /// AOVs are those of the first sample, as triangle numbers have no mean.
-DeliverFrame averaged(DeliverFrame deliver, int samples);
+[[nodiscard]] DeliverFrame averaged(DeliverFrame deliver, int samples);
 
 }  // namespace hybridrt

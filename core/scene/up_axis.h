@@ -13,7 +13,7 @@ inline constexpr Named<UpAxis> kUpAxes[] = {{"y", UpAxis::y}, {"z", UpAxis::z}};
 /// quarter turn about x that loses no bit. Numbers that a user gives for a scene (a camera, a light) are in
 /// the axes of its files and go through here too.
 template <typename Real>
-Vec3<Real> y_up_from_files(UpAxis up, const Vec3<Real>& v) {
+[[nodiscard]] Vec3<Real> y_up_from_files(UpAxis up, const Vec3<Real>& v) {
   return up == UpAxis::y ? v : Vec3<Real>(v.x, v.z, -v.y);
 }
 

@@ -135,7 +135,7 @@ TEST_F(FileClaimsTest, PlacesThatCannotBeAreNamed) {
   const std::filesystem::path file = folder_.write("file", "x");
   FileClaims claims;
   try {
-    claims.claim(file / "deep" / "a.png");
+    (void)claims.claim(file / "deep" / "a.png");
     ADD_FAILURE() << "claimed";
   } catch (const Error& failure) {
     EXPECT_EQ(failure.kind(), ErrorKind::output);
