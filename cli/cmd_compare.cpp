@@ -126,6 +126,10 @@ void add_compare_command(CLI::App& app, Command& chosen) {
   command->add_option("--diff", options->diff,
                       fmt::format("Write the difference, amplified {} times", kDifferenceAmplification));
   command->add_flag("--json", options->json, "Print one JSON object instead of the table");
+  command->footer(
+      "Examples:\n"
+      "  hybridrt compare out/new.png out/old.png\n"
+      "  hybridrt compare out/new.exr truth.exr --fail 0.01 --diff out/difference.png");
   command->callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
 }
 

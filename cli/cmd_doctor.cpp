@@ -59,6 +59,10 @@ void add_doctor_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("doctor", "List GL devices and drivers, the chosen one, versions, threads");
   auto as_json = std::make_shared<bool>(false);
   command->add_flag("--json", *as_json, "As one JSON object");
+  command->footer(
+      "Examples:\n"
+      "  hybridrt doctor\n"
+      "  hybridrt doctor --json | jq .devices");
   command->callback([as_json, &chosen] { chosen = [as_json] { return doctor(*as_json); }; });
 }
 

@@ -155,6 +155,11 @@ void add_golden_command(CLI::App& app, Command& chosen) {
   CLI::App* golden =
       app.add_subcommand("golden", "Render a list of cases and compare them with their expected pictures");
   golden->require_subcommand(1);
+  golden->footer(
+      "Examples:\n"
+      "  hybridrt golden check\n"
+      "  hybridrt golden check --list mine/golden.json glass mirror\n"
+      "  hybridrt golden update --list mine/golden.json glass");
   auto options = std::make_shared<GoldenOptions>();
   const auto add = [&](const char* name, const char* what, ExitCode (*action)(const GoldenOptions&)) {
     CLI::App* command = golden->add_subcommand(name, what);

@@ -44,6 +44,10 @@ void add_inspect_command(CLI::App& app, Command& chosen) {
   auto as_json = std::make_shared<bool>(false);
   add_render_options(*command, *options);
   command->add_flag("--json", *as_json, "As one JSON object");
+  command->footer(
+      "Examples:\n"
+      "  hybridrt inspect car.obj\n"
+      "  hybridrt inspect scene.json --shadows blur --json");
   command->callback(
       [options, as_json, &chosen] { chosen = [options, as_json] { return inspect(*options, *as_json); }; });
 }

@@ -41,7 +41,7 @@ std::vector<std::string> names() {
 }
 
 std::string about_triangles() {
-  std::string text = "how many in all, met within 5 % (";
+  std::string text = "How many in all, met within 5 % (";
   for (const ProceduralScene& s : procedural_scenes())
     text += fmt::format("{}{}: {} to {}, default {}", &s == procedural_scenes().data() ? "" : "; ", s.name,
                         s.fewest_triangles, s.most_triangles, s.default_triangles);
@@ -51,14 +51,21 @@ std::string about_triangles() {
 }  // namespace
 
 void add_scene_command(CLI::App& app, Command& chosen) {
-  CLI::App* scene = app.add_subcommand("scene", "write a procedural scene as OBJ, MTL and scene JSON");
+  CLI::App* scene = app.add_subcommand("scene", "Write a procedural scene as OBJ, MTL and scene JSON");
   const auto arguments = std::make_shared<SceneArguments>();
-  scene->add_option("NAME", arguments->name, "which one")->required()->check(CLI::IsMember(names()));
+  scene->add_option("NAME", arguments->name, "Which one")
+      ->required()
+      ->type_name("SCENE")
+      ->check(CLI::IsMember(names()));
   scene->add_option("--triangles", arguments->options.triangles, about_triangles());
   scene->add_option("--reflective", arguments->options.reflective_percent,
-                    "percent of the connected components that are mirrors, all else opaque and matt (spheres: 10 % "
+                    "Percent of the connected components that are mirrors, all else opaque and matt (spheres: 10 % "
                     "of the balls; chess and thin without it: as designed)");
-  scene->add_option("-o,--output", arguments->output, "the .obj file (default: NAME.obj); the others beside it");
+  scene->add_option("-o,--output", arguments->output, "The .obj file (default: NAME.obj); the others beside it");
+  scene->footer(
+      "Examples:\n"
+      "  hybridrt scene chess\n"
+      "  hybridrt scene spheres --triangles 500000 --reflective 10 -o balls.obj");
   scene->callback([arguments, &chosen] { chosen = [arguments] { return write_scene(*arguments); }; });
 }
 

@@ -1,4 +1,4 @@
-// The command table, the only catch, the exit codes.
+// The command table, and what becomes of exceptions: exit codes.
 
 #include <CLI/CLI.hpp>
 #include <clocale>
@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "cli/commands.h"
+#include "cli/help_formatter.h"
 #include "cli/parse_message.h"
 #include "cli/standard_streams.h"
 #include "cli/version.h"
@@ -33,6 +34,11 @@ ExitCode fail(ExitCode code, std::string_view message) {
 
 ExitCode run(int argc, char** argv) {
   CLI::App app{"hybridrt: headless hybrid CPU-GPU renderer of frame sequences", "hybridrt"};
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.footer(
+      "'hybridrt COMMAND --help' tells more. Examples:\n"
+      "  hybridrt render scene:chess\n"
+      "  hybridrt inspect car.obj");
   app.require_subcommand(0, 1);
   Command chosen;
   bool version = false, as_json = false;

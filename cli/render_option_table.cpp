@@ -123,7 +123,7 @@ std::vector<RenderOption> machine() {
       {"--max-memory", "SIZE", group,
        "Refuse what needs more, by an estimate: 8G, 500M, none (default: all that the machine or its cgroup has)",
        [](Options& o, Text t) { o.most_bytes = parse_bytes("--max-memory", t); }},
-      number("--frames-in-flight", "N", group, "1: pass after pass; 2 or more: GPU and CPU work on neighbouring frames",
+      number("--frames-in-flight", "N", group, "Frames that GPU and CPU work on at once (1: pass after pass)",
              &RenderSettings::frames_in_flight, 1, 16),
       {"--gl", "BINDING", group,
        fmt::format("{} (default {})", names_in(kBindings), name_in(kBindings, gl::ContextRequest().binding)),

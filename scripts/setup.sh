@@ -28,6 +28,8 @@ packages=(
   libbenchmark-dev       # benchmarks
   clang                  # fuzzing: libFuzzer is clang's
   libclang-rt-dev        # fuzzing: its runtime
+  clang-format           # scripts/format.sh
+  clang-tidy             # scripts/tidy.sh
 )
 
 fail() {

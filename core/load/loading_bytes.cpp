@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/memory.h"
-#include "core/load/mesh_io.h"
+#include "core/load/mesh_format.h"
 #include "core/load/ply_header.h"
 #include "core/load/text_lines.h"
 #include "core/load/text_scan.h"

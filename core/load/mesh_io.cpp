@@ -6,18 +6,15 @@
 #include "core/base/error.h"
 #include "core/load/assemble_scene.h"
 #include "core/load/loading_bytes.h"
+#include "core/load/mesh_format.h"
 #include "core/load/mtl_io.h"
 #include "core/load/obj_parse.h"
+#include "core/load/off_io.h"
+#include "core/load/ply_io.h"
+#include "core/load/stl_io.h"
 
 namespace hybridrt {
 namespace {
-
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
 
 constexpr uint64_t kLargeObj = uint64_t{4} << 20;  // worth all threads
 
@@ -43,18 +40,6 @@ void turn(MeshData& mesh, UpAxis up) {
 }
 
 }  // namespace
-
-bool is_mesh_file(const std::filesystem::path& path) {
-  return mesh_format_of(path) != MeshFormat::obj || extension_of(path) == ".obj";
-}
-
-MeshFormat mesh_format_of(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".ply") return MeshFormat::ply;
-  if (extension == ".off") return MeshFormat::off;
-  if (extension == ".stl") return MeshFormat::stl;
-  return MeshFormat::obj;
-}
 
 Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool, Warnings& warnings,
                   const LoadWatch& watch) {

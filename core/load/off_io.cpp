@@ -1,9 +1,10 @@
+#include "core/load/off_io.h"
+
 #include <optional>
 
 #include "core/base/error.h"
 #include "core/base/warnings.h"
 #include "core/load/mesh_builder.h"
-#include "core/load/mesh_io.h"
 #include "core/load/text_lines.h"
 
 namespace hybridrt {

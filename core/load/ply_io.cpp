@@ -1,8 +1,9 @@
+#include "core/load/ply_io.h"
+
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "core/load/mesh_builder.h"
-#include "core/load/mesh_io.h"
 #include "core/load/ply_values.h"
 
 namespace hybridrt {

@@ -4,7 +4,7 @@
 #include "core/base/warnings.h"
 #include "core/load/camera_json.h"
 #include "core/load/json_read.h"
-#include "core/load/mesh_io.h"
+#include "core/load/mesh_format.h"
 #include "core/load/text_scan.h"
 #include "shaders/shared.h"
 

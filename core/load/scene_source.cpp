@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/load/loading_bytes.h"
+#include "core/load/mesh_format.h"
 #include "core/load/mesh_io.h"
 #include "core/load/scene_file.h"
 #include "core/load/text_scan.h"

@@ -1,3 +1,5 @@
+#include "core/load/stl_io.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -7,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/base/warnings.h"
 #include "core/load/mesh_builder.h"
-#include "core/load/mesh_io.h"
 #include "core/load/text_lines.h"
 
 namespace hybridrt {

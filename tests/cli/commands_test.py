@@ -6,6 +6,23 @@ import unittest
 from cli_test_case import SMALL, CliTestCase
 
 
+COMMANDS = ((), ("render",), ("compare",), ("golden",), ("golden", "check"), ("golden", "update"), ("scene",), ("inspect",),
+            ("doctor",))
+
+
+class HelpTest(CliTestCase):
+    def test_fits_a_terminal_and_ends_with_examples(self):
+        for command in COMMANDS:
+            lines = self.succeed(*command, "--help").stdout.rstrip().splitlines()
+            for line in lines:
+                self.assertLessEqual(len(line), 100, line)
+            if command[:1] != ("golden",) or len(command) == 1:
+                examples = lines[next(i for i, line in enumerate(lines) if line.endswith("Examples:")) + 1:]
+                self.assertIn(len(examples), (2, 3), command)
+                for example in examples:
+                    self.assertTrue(example.startswith("  hybridrt " + " ".join(command)), example)
+
+
 class DoctorTest(CliTestCase):
     def test_lists_what_render_can_open(self):
         report = json.loads(self.succeed("doctor", "--json").stdout)

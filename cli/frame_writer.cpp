@@ -1,0 +1,70 @@
+#include "cli/frame_writer.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "cli/version.h"
+#include "core/base/timing.h"
+#include "core/image_io/encode_image.h"
+#include "core/render/aov.h"
+#include "core/render/fingerprint.h"
+
+namespace hybridrt::cli {
+namespace {
+
+constexpr int kSheetColumns = 4, kSheetCell_px = 320, kMostSheetCells = 20;
+
+}  // namespace
+
+SheetCollector::SheetCollector(int64_t frames)
+    : step_(std::max<int64_t>(1, (frames + kMostSheetCells - 1) / kMostSheetCells)) {}
+
+void SheetCollector::add(const Image& picture) {
+  if (seen_++ % step_ != 0) return;
+  const int height = std::max(1, picture.height_px * kSheetCell_px / picture.width_px);
+  cells_.push_back(box_filtered(picture, kSheetCell_px, height));
+}
+
+Image SheetCollector::sheet() const { return contact_sheet(cells_, kSheetColumns, kSheetCell_px); }
+
+FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths, const RenderJob& job, int threads)
+    : options_(options),
+      paths_(paths),
+      job_(job),
+      scene_fingerprint_(fingerprint(job.scene)),
+      layered_(keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
+      sheet_(job.frames.count()),
+      timings_(paths.timings),
+      sink_(encode_image_file, threads, static_cast<size_t>(2 * threads)) {}
+
+void FrameWriter::write(Frame&& frame) {
+  const int number = frame.number;
+  const ImageMetadata metadata = {
+      {"hybridrt", kVersion},
+      {"settings", settings_line(job_.settings)},
+      {"fingerprint",
+       fmt::format("{:016x}", fingerprint(scene_fingerprint_, frame_request(job_, number), job_.settings))}};
+  const auto written = [this, number](double ms) { timings_.file_written(number, ms); };
+  timings_.add(frame, static_cast<int>(layered_ ? 1 : 1 + frame.aovs.size()));
+  if (!options_.contact_sheet.empty()) sheet_.add(frame.picture);
+  if (layered_) {
+    frame.picture.layers = std::move(frame.aovs);
+  } else {
+    for (const ImageLayer& aov : frame.aovs)
+      sink_.submit(output_path(paths_.pattern, number, aov.name),
+                   display_image(aov, frame.picture.width_px, frame.picture.height_px), written, metadata);
+  }
+  sink_.submit(output_path(paths_.pattern, number), std::move(frame.picture), written, metadata);
+}
+
+void FrameWriter::finish(RunTotals& totals) {
+  const Stopwatch draining;
+  sink_.drain();
+  totals.drain_ms = draining.elapsed_ms();
+  timings_.finish();
+  totals.sum[PassId::write] = timings_.written_ms();
+  if (!options_.contact_sheet.empty() && totals.frames > 0) sink_.submit(options_.contact_sheet, sheet_.sheet());
+  sink_.drain();
+}
+
+}  // namespace hybridrt::cli

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/render_output.h"
+#include "cli/run_report.h"
+#include "core/image/contact_sheet.h"
+#include "core/render/file_sink.h"
+#include "core/render/timings_csv.h"
+
+namespace hybridrt::cli {
+
+/// Small copies of evenly spaced frames for the contact sheet.
+class SheetCollector {
+ public:
+  explicit SheetCollector(int64_t frames);
+  void add(const Image& picture);
+  Image sheet() const;
+
+ private:
+  const int64_t step_;
+  int64_t seen_ = 0;
+  std::vector<Image> cells_;
+};
+
+/// Takes finished frames and writes a run's files: pictures and AOVs, timings, contact sheet.
+class FrameWriter {
+ public:
+  /// Job, paths and options must outlive it. Throws Error(output) when the timings cannot be written.
+  FrameWriter(const OutputOptions& options, const OutputPaths& paths, const RenderJob& job, int threads);
+
+  /// Waits while too many pictures wait to be written. Throws Error(output) for an earlier one that could not be.
+  void write(Frame&& frame);
+  /// Waits until all is written; throws as write(). Adds to the totals what writing took.
+  void finish(RunTotals& totals);
+
+ private:
+  const OutputOptions& options_;
+  const OutputPaths& paths_;
+  const RenderJob& job_;
+  const uint64_t scene_fingerprint_;
+  const bool layered_;  ///< AOVs are layers of the picture, not files of their own
+  SheetCollector sheet_;
+  TimingsCsv timings_;
+  FileSink sink_;
+};
+
+}  // namespace hybridrt::cli

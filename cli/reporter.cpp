@@ -1,0 +1,62 @@
+#include "cli/reporter.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/standard_streams.h"
+
+namespace hybridrt::cli {
+
+using json = nlohmann::ordered_json;
+
+Reporter::Reporter(const OutputOptions& options, int64_t frames)
+    : json_(options.json), verbose_(options.verbose), progress_(frames, options.quiet || options.json) {}
+
+void Reporter::warnings(const Warnings& all) {
+  for (const std::string& warning : all)
+    if (json_)
+      emit({{"event", "warning"}, {"message", warning}});
+    else
+      progress_.say("hybridrt: warning: " + warning);
+}
+
+void Reporter::start(const RenderOptions& options, const RenderJob& job, const RunFacts& facts) {
+  const std::string renderer = facts.gl ? facts.gl->renderer : "no GL";
+  if (json_)
+    emit({{"event", "start"},
+          {"scene", options.scene},
+          {"triangles", job.scene.triangle_count()},
+          {"frames", job.frames.count()},
+          {"renderer", renderer}});
+  else if (verbose_)
+    progress_.say(fmt::format("{}: {} triangles, {}; {}, ready after {:.0f} ms", options.scene,
+                              job.scene.triangle_count(), settings_line(job.settings), renderer, facts.ready_ms));
+}
+
+void Reporter::frame(const Frame& frame, const std::filesystem::path& path) {
+  progress_.frame_done();
+  if (json_) {
+    json timings;
+    for (size_t i = 0; i < kPassNames.size() - 1; ++i)  // written later
+      timings[std::string(kPassNames[i]) + "_ms"] = frame.timings.pass_ms[i];
+    timings["wall_ms"] = frame.timings.wall_ms;
+    emit({{"event", "frame"}, {"frame", frame.number}, {"path", path.string()}, {"timings", timings}});
+  } else if (verbose_) {
+    progress_.say(fmt::format("frame {}: {:.1f} ms -> {}", frame.number, frame.timings.wall_ms, path.string()));
+  }
+}
+
+void Reporter::end(const RunTotals& totals, bool stopped) {
+  if (json_)
+    emit({{"event", "end"},
+          {"frames", totals.frames},
+          {"stopped", stopped},
+          {"frames_per_second", totals.frames_per_second()}});
+}
+
+void Reporter::emit(const json& event) {
+  fmt::print("{}\n", event.dump(-1, ' ', false, json::error_handler_t::replace));
+  flush_output();
+}
+
+}  // namespace hybridrt::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+#include "cli/progress.h"
+#include "cli/render_options.h"
+#include "cli/render_output.h"
+#include "cli/run_report.h"
+
+namespace hybridrt::cli {
+
+/// What the user sees while frames are rendered: text on standard error, or one JSON object per line on standard
+/// output.
+class Reporter {
+ public:
+  Reporter(const OutputOptions& options, int64_t frames);
+
+  void warnings(const Warnings& all);
+  void start(const RenderOptions& options, const RenderJob& job, const RunFacts& facts);
+  void frame(const Frame& frame, const std::filesystem::path& path);
+  void end(const RunTotals& totals, bool stopped);
+
+ private:
+  static void emit(const nlohmann::ordered_json& event);
+
+  const bool json_, verbose_;
+  Progress progress_;
+};
+
+}  // namespace hybridrt::cli

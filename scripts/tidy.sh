@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# clang-tidy on the C++ that has changed since a revision: scripts/tidy.sh [REVISION], by default HEAD, which is what is not
+# yet committed. Advice, not a gate: read it before you commit. Takes the compile commands of build/release.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+revision=${1:-HEAD}
+[ -f build/release/compile_commands.json ] || scripts/build.sh release
+mapfile -d '' -t files < <(
+  git diff -z --name-only --diff-filter=d "$revision" -- '*.cpp'
+  git ls-files -z --others --exclude-standard -- '*.cpp'
+)
+[ ${#files[@]} -gt 0 ] || { echo "no .cpp has changed since $revision"; exit 0; }
+printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy -p build/release --quiet
