@@ -1,9 +1,9 @@
 #version 450 core
-// Pass 3, second step: the blur along columns; a receiver whose window holds both light and shadow is marked.
+// Pass 3, second step: the blur along columns. Marks a receiver whose window holds both light and shadow.
 #include "shared.h"
 layout(local_size_x = HRT_GROUP_PX, local_size_y = HRT_GROUP_PX) in;
 
-layout(binding = HRT_UNIT_MASK) uniform usampler2DArray mask;  // a layer a light
+layout(binding = HRT_UNIT_MASK) uniform usampler2DArray mask;  // a layer per light
 layout(binding = HRT_UNIT_TRACED) uniform usampler2D row_sums;
 layout(binding = HRT_IMAGE_OUT, r8ui) uniform writeonly uimage2D marked_mask;
 uniform int radius_px;

@@ -4,7 +4,7 @@
 #include "shared.h"
 layout(local_size_x = HRT_GROUP_PX, local_size_y = HRT_GROUP_PX) in;
 
-layout(binding = HRT_UNIT_MASK) uniform usampler2DArray mask;  // a layer a light
+layout(binding = HRT_UNIT_MASK) uniform usampler2DArray mask;  // a layer per light
 layout(binding = HRT_IMAGE_OUT, rg8ui) uniform writeonly uimage2D row_sums;
 uniform int radius_px;
 uniform int layer;

@@ -1,5 +1,5 @@
-// Triangles whose materials may have holes: each corner on its own, as texture coordinates belong to corners and not to
-// positions. Nothing is bound as an attribute.
+// Triangles whose materials may have holes, drawn corner by corner, as texture coordinates belong to corners, not
+// to positions. No attributes are bound.
 #include "shared.h"
 layout(binding = HRT_UNIT_POSITIONS) uniform samplerBuffer positions;
 layout(binding = HRT_UNIT_TRIANGLE_POSITIONS) uniform usamplerBuffer triangle_positions;

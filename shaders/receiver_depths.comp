@@ -1,5 +1,5 @@
 #version 450 core
-// Of each block of pixels the nearest and the farthest depth that is seen: what pass 1 fits a warped shadow map to.
+// The nearest and the farthest depth seen per block of pixels, to which pass 1 fits a warped shadow map.
 #include "shared.h"
 layout(local_size_x = HRT_GROUP_PX, local_size_y = HRT_GROUP_PX) in;
 

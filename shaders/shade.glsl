@@ -1,13 +1,12 @@
-// Pass 5: ambient + each light's shadow * (diffuse + specular) + what pass 4 traced, once a pixel from its id.
-// HRT_TEXTURED: some materials have maps.
-// HRT_LIGHT_COUNT: how many lights there are; ShadePass writes it.
+// Pass 5: ambient + each light's shadow * (diffuse + specular) + what pass 4 traced, once per pixel from its id.
+// HRT_TEXTURED: some materials have maps. HRT_LIGHT_COUNT: the number of lights, defined by ShadePass.
 #include "scene.glsl"
 #include "light_count.glsl"
 #ifdef HRT_TEXTURED
 #include "texture_words.glsl"
 #endif
 
-layout(binding = HRT_UNIT_MASK) uniform usampler2DArray mask;  // a layer a light; HRT_MASK_LIT counts
+layout(binding = HRT_UNIT_MASK) uniform usampler2DArray mask;  // a layer per light; HRT_MASK_LIT counts
 layout(binding = HRT_UNIT_TRACED) uniform sampler2D traced;
 layout(binding = HRT_UNIT_NORMALS) uniform samplerBuffer normals;
 layout(binding = HRT_UNIT_TRIANGLE_NORMALS) uniform usamplerBuffer triangle_normals;
@@ -15,7 +14,7 @@ layout(binding = HRT_UNIT_TRIANGLE_MATERIALS) uniform usamplerBuffer triangle_ma
 layout(binding = HRT_UNIT_MATERIALS) uniform samplerBuffer materials;
 layout(binding = HRT_IMAGE_OUT, rgba32f) uniform writeonly image2D picture;
 
-uniform int use_traced;  // 0: no ray of pass 4 adds light
+uniform int use_traced;  // 0: pass 4 adds no light
 uniform int masked_lights;  // bit i: light i casts shadows, layer i of the mask says where
 uniform vec3 to_light[HRT_MAX_LIGHTS];
 uniform vec3 light[HRT_MAX_LIGHTS];

@@ -1,5 +1,5 @@
 #version 450 core
-// Pass 1: depth of the nearest surface as the light sees it.
+// Pass 1: depth of the nearest surface that the light sees.
 layout(location = 0) in vec3 position_scene;
 uniform vec3 origin_high;
 uniform vec3 origin_low;

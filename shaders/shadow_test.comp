@@ -1,13 +1,13 @@
 #version 450 core
-// Pass 2, second step: is the pixel's point in light, as far as the shadow map knows? Done once a pixel from
-// its id, not once a fragment while rasterising.
+// Pass 2, second step: is the pixel's point lit, according to the shadow map? Done once per pixel from its id, not
+// once per fragment while rasterising.
 #include "scene.glsl"
 #include "shadow_warp.glsl"
 
 layout(binding = HRT_UNIT_SHADOW_MAP) uniform sampler2D shadow_map;
 layout(binding = HRT_IMAGE_OUT, r8ui) uniform writeonly uimage2D mask;
 
-// As ShadowMapFit has them.
+// As in ShadowMapFit.
 uniform mat4 map_from_eye;  // u w, v w, depth, w
 uniform float inverse_w_slope;
 uniform float texel_across;
@@ -20,9 +20,9 @@ uniform vec3 across;
 uniform vec3 along;
 uniform vec3 to_light;
 
-const float kMaxSlope = 20.0;  // where the light grazes, an offset has to end
+const float kMaxSlope = 20.0;  // bounds the offset where light grazes
 
-// How much nearer than the point the map may be without shadow: it knows the depth at a texel's centre only.
+// How much nearer than the point the map may be without shadow: it holds the depth at a texel's centre only.
 float depth_offset(vec3 normal, float cos_light, float u, float w) {
   vec2 texel = texel_size(texel_across, texel_along, w);
   float widest = max(texel.x, texel.y);

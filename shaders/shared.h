@@ -11,15 +11,15 @@
 // Id buffer: the triangle seen at a pixel's centre, or this.
 #define HRT_NO_TRIANGLE 0xFFFFFFFFu
 
-// Lights of a scene, at most.
+// Most lights of a scene.
 #define HRT_MAX_LIGHTS 8
 
-// Shadow mask, one byte a pixel and light. Pass 2 writes LIT or nothing (shadow), or NO_RECEIVER; pass 3 adds MARKED
-// where the blurred mask is neither fully lit nor fully dark.
+// Shadow mask, one byte per pixel and light. Pass 2 writes LIT, 0 (shadow) or NO_RECEIVER; pass 3 adds MARKED where
+// pass 4 must ask a ray.
 #define HRT_MASK_LIT 1u
 #define HRT_MASK_MARKED 2u
 #define HRT_MASK_NO_RECEIVER 4u
-// Why, for --aov marked: the pixel's point may lie inside a closed body; its triangle was found anew.
+// Reasons for --aov marked: the pixel's point may lie inside a closed body; its triangle was repaired.
 #define HRT_MASK_INSIDE 8u
 #define HRT_MASK_REPAIRED 16u
 
@@ -43,16 +43,16 @@
 // Image unit of a compute pass's only output.
 #define HRT_IMAGE_OUT 0
 
-// Texels (RGBA32F) a material: (Kd, Ns) (Ks, opacity) (Ke, texture maps as a number).
+// Texels (RGBA32F) per material: (Kd, Ns) (Ks, opacity) (Ke, texture maps as a number).
 #define HRT_MATERIAL_TEXELS 3
 
 // All textures are one array of 32-bit words:
 //  - 256 floats: the linear value of each 8-bit display code (sRGB);
-//  - a set of maps a material: of each kind the index of its record, or 0;
+//  - a set of maps per material: for each kind the index of its record, or 0;
 //  - records, of the words below;
 //  - texels, rows from the top, mip levels one after the other, each half as wide and as high (rounded down, at least
 //    1): red in the lowest byte, green, blue, alpha.
-// As a GL texture the array is as wide as this; word i stands at (i % width, i / width).
+// The width of the array as a GL texture: word i is at (i % width, i / width).
 #define HRT_TEXTURE_WORDS_WIDTH_SHIFT 14
 
 #define HRT_MAP_DIFFUSE 0u
@@ -66,7 +66,7 @@
 #define HRT_TEXTURE_LEVELS 2u
 #define HRT_TEXTURE_FIRST 3u  // texel, as an index of a word
 #define HRT_TEXTURE_FLAGS 4u
-#define HRT_TEXTURE_SCALE 5u   // two floats: of the texture coordinates
+#define HRT_TEXTURE_SCALE 5u   // two floats: scale of the texture coordinates
 #define HRT_TEXTURE_OFFSET 7u  // two floats
 #define HRT_TEXTURE_BASE 9u    // float; the value is base + gain * texel
 #define HRT_TEXTURE_GAIN 10u

@@ -2,9 +2,9 @@
 // precision, as C++ (core/trace/surface.h), so that GPU and CPU shade alike.
 // The includer provides Real, Vec3 and HRT_FN (`inline` in C++).
 
-// Barycentric weights of the point where the line through the origin along `dir` meets the triangle's
-// plane, pulled into the triangle: rasterisation snaps vertices to a fraction of a pixel, so a pixel's
-// centre may see a triangle that it misses by a hair.
+// Barycentric weights of the point where the line through the origin along `dir` meets the triangle's plane, pulled
+// into the triangle: rasterisation snaps vertices to a fraction of a pixel, so a pixel's centre may narrowly miss
+// the triangle that it sees.
 HRT_FN Vec3 clamped_barycentrics(Vec3 p0, Vec3 p1, Vec3 p2, Vec3 dir) {
   Vec3 e1 = p1 - p0;
   Vec3 e2 = p2 - p0;
@@ -22,7 +22,7 @@ HRT_FN Vec3 clamped_barycentrics(Vec3 p0, Vec3 p1, Vec3 p2, Vec3 dir) {
 // `normal` on the side that `side` points to (dot >= 0).
 HRT_FN Vec3 turned_toward(Vec3 normal, Vec3 side) { return dot(normal, side) < Real(0) ? -normal : normal; }
 
-// Unit length; `otherwise` where there is no direction left.
+// `v` as a unit vector; `otherwise` if it has no direction.
 HRT_FN Vec3 normalized_or(Vec3 v, Vec3 otherwise) {
   Real squared = dot(v, v);
   return squared > Real(0) ? v / sqrt(squared) : otherwise;
@@ -32,7 +32,7 @@ HRT_FN Vec3 normalized_or(Vec3 v, Vec3 otherwise) {
 HRT_FN Vec3 phong_unlit(Vec3 kd, Vec3 ke, Real opacity, Vec3 ambient) { return ke + opacity * ambient * kd; }
 
 // What one directional light that arrives adds to it, by Blinn and Phong, with the paper's half vector (pass 5).
-// `normal`, `to_eye`, `to_light` unit.
+// `normal`, `to_eye` and `to_light` must be unit.
 HRT_FN Vec3 phong_light(Vec3 kd, Vec3 ks, Real ns, Real opacity, Vec3 normal, Vec3 to_eye, Vec3 to_light, Vec3 light) {
   Real cos_light = dot(normal, to_light);
   if (cos_light <= Real(0)) return Vec3(Real(0));

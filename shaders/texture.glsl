@@ -1,19 +1,18 @@
-// Textures: one source, compiled as GLSL and, in single and in double precision, as C++ (core/trace/texture_lookup.h),
-// so that GPU and CPU filter alike; no sampler of the hardware takes part.
-// The includer provides Real, Vec2, Vec3, HRT_FN and `uint texture_word(uint)`, which reads the words that shared.h
-// describes.
+// Textures: one source, compiled as GLSL and, in single and in double precision, as C++
+// (core/trace/texture_lookup.h), so that GPU and CPU filter alike; hardware samplers are not used. The includer
+// provides Real, Vec2, Vec3, HRT_FN and `uint texture_word(uint)`, which reads the words that shared.h describes.
 
 HRT_FN Real texture_number(uint word) { return Real(uintBitsToFloat(texture_word(word))); }
 
-// Linear, from the display codes of a texel.
+// The linear colour of a texel's display codes.
 HRT_FN Vec3 texel_color(uint texel) {
   return Vec3(texture_number(texel & 255u), texture_number((texel >> 8) & 255u), texture_number((texel >> 16) & 255u));
 }
 
-// What shows through a hole has no say in the colour beside it, unless there is nothing else.
+// A texel inside a hole does not affect the colour beside it, unless there is nothing else.
 HRT_FN Real texel_weight(uint texel) { return Real(int(texel >> 24)) + Real(0.25); }
 
-// Repeats [0, 1), or stops at its ends. v grows upward, rows downward.
+// Repeats the image, or clamps to its edge. v grows upward, rows downward.
 HRT_FN Vec2 place_in_image(Vec2 uv, uint flags) {
   Vec2 place = Vec2(uv.x, Real(1) - uv.y);
   if ((flags & HRT_TEXTURE_CLAMPED) != 0u) return clamp(place, Vec2(0), Vec2(1));
@@ -27,7 +26,7 @@ HRT_FN int neighbour(int i, int size, uint flags) {
   return i;
 }
 
-// A mip level, bilinear. `first`: its first texel.
+// Bilinear lookup in a mip level. `first`: its first texel.
 HRT_FN Vec3 bilinear(uint first, int width, int height, Vec2 place, uint flags) {
   Real x = place.x * Real(width) - Real(0.5);
   Real y = place.y * Real(height) - Real(0.5);
@@ -51,10 +50,11 @@ HRT_FN Vec3 bilinear(uint first, int width, int height, Vec2 place, uint flags) 
          (w00 + w10 + w01 + w11);
 }
 
-// The area in texture coordinates, squared, that a pixel covers on a triangle with edges e1, e2 and t1, t2 in texture
-// coordinates: seen along `dir` (unit) after a path of `distance`, under the solid angle of the pixel. A ray cone that
-// mirrors and glass leave as it is: Akenine-Möller et al., "Improved Shader and Texture Level of Detail Using Ray
-// Cones", JCGT 10(1), 2021; as an area, solid_angle distance² / cos is on the surface, which |e1 x e2| divides.
+// The area in texture coordinates, squared, that a pixel covers on a triangle with edges e1, e2 and t1, t2 in
+// texture coordinates: seen along `dir` (unit) after a path of `distance`, under the solid angle of the pixel. A
+// ray cone, unchanged by mirrors and glass: Akenine-Möller et al., "Improved Shader and Texture Level of Detail
+// Using Ray Cones", JCGT 10(1), 2021; its area on the surface is solid_angle distance² / cos, which |e1 x e2|
+// divides.
 HRT_FN Real pixel_footprint(Vec3 e1, Vec3 e2, Vec2 t1, Vec2 t2, Vec3 dir, Real solid_angle, Real distance_along) {
   Real facing = abs(dot(cross(e1, e2), dir));
   Real area = abs(t1.x * t2.y - t1.y * t2.x);
@@ -62,8 +62,8 @@ HRT_FN Real pixel_footprint(Vec3 e1, Vec3 e2, Vec2 t1, Vec2 t2, Vec3 dir, Real s
   return facing > Real(0) ? min(area * solid_angle * (distance_along / facing * distance_along), largest) : largest;
 }
 
-// The solid angle that a sample stands for, a pixel's or its share of one, seen along `dir`, whose component along the
-// camera's axis is 1. `sample_area` is its area where that axis has gone 1.
+// The solid angle that a sample stands for (a pixel's or its share of one), seen along `dir`, whose component along
+// the camera's axis is 1. `sample_area` is its area at distance 1 along that axis.
 HRT_FN Real sample_solid_angle(Vec3 dir, Real sample_area) {
   Real squared = dot(dir, dir);
   return sample_area / (squared * sqrt(squared));
@@ -98,14 +98,14 @@ HRT_FN Vec3 texture_color(uint record, Vec2 uv, Real footprint) {
   return max(color, Vec3(0));
 }
 
-// `color` times the material's map of a kind (HRT_MAP_*), if it has that one. `maps` is not 0.
+// `color` times the material's map of this kind (HRT_MAP_*), if it has one. `maps` must not be 0.
 HRT_FN Vec3 mapped_color(uint maps, uint kind, Vec3 color, Vec2 uv, Real footprint) {
   uint record = texture_word(maps + kind);
   return record == 0u ? color : color * texture_color(record, uv, footprint);
 }
 
-// Whether the surface has a hole at `uv`: alpha under one half at the nearest texel of the finest level, however far
-// away, so that every ray and every pass sees the same holes. `maps` may be 0.
+// Whether the surface has a hole at `uv`: alpha under one half at the nearest texel of the finest level, however
+// far away, so that all rays and passes see the same holes. `maps` may be 0.
 HRT_FN bool has_hole(uint maps, Vec2 uv) {
   if (maps == 0u) return false;
   uint record = texture_word(maps + HRT_MAP_HOLES);

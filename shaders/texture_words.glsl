@@ -1,4 +1,4 @@
-// The words of all textures, as a 2-D texture: it may be larger than buffers may.
+// The words of all textures, as a 2-D texture, which may be larger than a buffer texture.
 #include "shared.h"
 layout(binding = HRT_UNIT_TEXTURE_WORDS) uniform usampler2D texture_words;
 

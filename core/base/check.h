@@ -5,7 +5,7 @@
 
 namespace hybridrt {
 
-/// We are wrong: a broken promise inside the program, not something a user can mend.
+/// A fault of the program itself: something it promises does not hold. No user can mend it.
 class CheckFailed : public std::logic_error {
   using std::logic_error::logic_error;
 };

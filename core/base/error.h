@@ -10,16 +10,16 @@ namespace hybridrt {
 /// Whose fault an Error is; the command line turns it into an exit code.
 enum class ErrorKind {
   usage,   ///< what was asked for cannot be done (an option's value, a pair of options)
-  input,   ///< a scene, camera, image or settings file is wrong
+  input,   ///< a scene, camera, image or settings file cannot be used
   device,  ///< no usable GL, a limit of the device, a shader that does not compile
   output,  ///< a file could not be written
 };
 
-/// `text` with its control characters written as escapes: names that come from files may hold anything.
+/// `text` with its control characters written as escapes: names from files may hold anything.
 std::string in_one_line(const std::string& text);
 
-/// The world is wrong: the message says what, where (file, line or element), and what to do, in one line. Only a
-/// device's own log may have more.
+/// A fault outside the program. The message says what, where (file, line or element) and what to do, in one line. Only
+/// a device's own log may take more lines.
 class [[nodiscard]] Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message)

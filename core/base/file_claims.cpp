@@ -17,16 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kLockName = ".hybridrt.lock";
-constexpr int64_t kStretch = int64_t{1} << 32;  // of bytes for a name: more than frame numbers there are
+constexpr int64_t kStretch = int64_t{1} << 32;  // bytes per name: more than there are frame numbers
 
-/// FNV-1a's upper bits: where the bytes of a name begin.
+/// Where the bytes of a name begin: the upper bits of its FNV-1a hash.
 int64_t start_of(std::string_view name) {
   uint64_t hash = 14695981039346656037ull;
   for (unsigned char c : name) hash = (hash ^ c) * 1099511628211ull;
   return static_cast<int64_t>(hash >> 33) * kStretch;
 }
 
-/// Locks that belong to the open file, not to the process: no other close() in this process drops them.
+/// For locks that belong to the open file, not to the process: no other close() in this process drops them.
 struct flock bytes(short type, int64_t start, int64_t length) {
   struct flock range {};
   range.l_type = type;
@@ -42,7 +42,7 @@ Attempt try_lock(int descriptor, int64_t start, int64_t length) {
   struct flock range = bytes(F_WRLCK, start, length);
   if (::fcntl(descriptor, F_OFD_SETLK, &range) == 0) return Attempt::locked;
   if (errno != EAGAIN && errno != EACCES) return Attempt::impossible;
-  // A run that ends takes all bytes for a moment, to see whether it is the last one.
+  // A run that ends locks all bytes for a moment, to see whether it is the last one.
   range = bytes(F_WRLCK, start, length);
   if (::fcntl(descriptor, F_OFD_GETLK, &range) != 0) return Attempt::taken;
   const bool all = range.l_start == 0 && range.l_len == 0;

@@ -8,17 +8,18 @@
 namespace hybridrt {
 
 /// What a run is going to write, so that a second one at the same time can be refused. Each folder gets a hidden file
-/// `.hybridrt.lock`; a file's name stands for a stretch of its bytes, a frame's number for one byte of that stretch,
-/// and a run holds the kernel's locks on the bytes of its files. The kernel drops them when the process ends, however
-/// it ends; what is left of a killed run is an empty file that the next run uses and removes.
+/// `.hybridrt.lock`; a file's name stands for a range of its bytes, a frame's number for one byte of that range, and a
+/// run holds kernel locks on the bytes of its files. The kernel drops them when the process ends, however it ends. A
+/// killed run leaves an empty file, which the next run uses and removes.
 ///
-/// Names are told apart by 31 bits of a hash: two names in 2^31 would be taken for one, and a run refused for nothing.
+/// Names are told apart by 31 bits of a hash: one pair of names in 2^31 is taken for the same name, and a run is
+/// refused needlessly.
 class FileClaims {
  public:
   enum class Answer {
     ours,     ///< claimed until this object's end
     taken,    ///< another process holds some of it
-    unknown,  ///< the file system knows no locks: nobody would notice
+    unknown,  ///< the file system has no locks: a clash would go unnoticed
   };
 
   FileClaims() = default;
@@ -26,11 +27,11 @@ class FileClaims {
   FileClaims(const FileClaims&) = delete;
   FileClaims& operator=(const FileClaims&) = delete;
 
-  /// One file. Devices and pipes are nobody's. Throws as below.
+  /// Claims one file. Devices and pipes need no claim. Throws as below.
   [[nodiscard]] Answer claim(const std::filesystem::path& file);
 
-  /// Frames `first`..`last` (>= 0) of the files in `folder` that `name` stands for; equal names are the same files.
-  /// The folder is made if it is missing. Throws Error(output) where that or writing to it fails.
+  /// Frames `first`..`last` (>= 0) of the files in `folder` that `name` stands for; equal names are the same files. A
+  /// missing folder is created. Throws Error(output) if it cannot be created or written to.
   [[nodiscard]] Answer claim(const std::filesystem::path& folder, std::string_view name, int first, int last);
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint64_t kNoLimit = std::numeric_limits<uint64_t>::max();
 
-/// The number in the file; no limit where there is none ("max").
+/// The number in the file; no limit where it holds none ("max").
 uint64_t number_in(const char* path) {
   std::ifstream file(path);
   uint64_t bytes = 0;

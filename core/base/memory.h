@@ -8,10 +8,10 @@
 namespace hybridrt {
 
 /// Bytes of main memory that this process may use in all: the machine's, further limited by the cgroup (version 1 or
-/// 2). UINT64_MAX where nothing says.
+/// 2). UINT64_MAX where neither gives a limit.
 uint64_t allowed_memory();
 
-/// Of a vector's elements.
+/// Bytes of a vector's elements.
 template <typename T>
 size_t bytes_of(const std::vector<T>& values) {
   return values.size() * sizeof(T);

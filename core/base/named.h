@@ -7,7 +7,7 @@
 
 namespace hybridrt {
 
-/// A value and the one name that users write and read for it. A table of these is the only home of such names.
+/// A value and the name that users write and read for it. Such names are kept in tables of these and nowhere else.
 template <typename Value>
 struct Named {
   std::string_view name;

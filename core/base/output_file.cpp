@@ -75,7 +75,7 @@ void OutputFile::write_through(std::string_view bytes) {
 void OutputFile::commit() {
   flush();
   if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail("fsync", errno);
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail("close", errno);  // NFS writes late
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail("close", errno);  // NFS may report failed writes only here
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename", errno);
   temporary_.clear();
@@ -94,8 +94,8 @@ void OutputFile::checkpoint() {
   copy.commit();
 }
 
-/// Without this the rename itself may be lost with the power. Some file systems refuse it for folders, and
-/// some folders may be written but not read.
+/// Without this a power failure may undo the rename. Some file systems refuse it for folders, and some folders can be
+/// written but not read.
 void OutputFile::sync_folder() {
   const int folder = ::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;

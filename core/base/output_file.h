@@ -10,19 +10,18 @@
 
 namespace hybridrt {
 
-/// A file that appears under its final name only when it is whole: a hidden temporary beside it
-/// (`.NAME.tmp-PID-N`), fsync, rename. Whoever looks at the final name, at any moment and after a crash, finds
-/// the old file, none, or the new one complete. Missing folders are created, a symbolic link is followed, not
-/// replaced; a device or pipe (/dev/null) has no whole to protect and is written straight. Without
-/// commit(), nothing is left behind (a killed process may leave the temporary).
+/// A file that is written atomically: to a hidden temporary beside it (`.NAME.tmp-PID-N`), then fsync, then rename. A
+/// reader of the final name finds the old file, none, or the complete new one, at any moment and after a crash. Missing
+/// folders are created. A symbolic link is followed, not replaced. A device or pipe (/dev/null) is written directly.
+/// Without commit(), nothing is left behind (a killed process may leave the temporary).
 ///
-/// Every function throws Error (output), naming the file and the system's reason. Under a file size limit the
-/// process must ignore SIGXFSZ for that. Several may be open for the same path, in any thread; the last one
-/// to commit wins. One object belongs to one thread at a time.
+/// Every function throws Error (output), naming the file and the system's reason. For that the process must ignore
+/// SIGXFSZ if file sizes are limited. Several may be open for the same path, in any thread; the last one to commit
+/// wins. One object belongs to one thread at a time.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
-  /// Standard output as it is, whatever it is: appended to and never replaced, though it be a file.
+  /// Standard output: appended to, never replaced, even where it is a file.
   static OutputFile standard_output();
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -36,7 +35,8 @@ class OutputFile {
   }
   /// Makes the file appear.
   void commit();
-  /// Makes what was written so far appear, whole, and goes on; costs a copy of it. Devices and pipes: nothing.
+  /// Publishes what was written so far, atomically, and goes on; costs a copy of it. Does nothing for devices and
+  /// pipes.
   void checkpoint();
   uint64_t bytes() const { return written_ + buffer_.size(); }
 
@@ -50,16 +50,16 @@ class OutputFile {
   [[noreturn]] void fail(const char* step, int reason) const;
 
   const std::filesystem::path path_;          ///< as the caller named it
-  std::filesystem::path target_, temporary_;  ///< no temporary: `target_` is written straight
+  std::filesystem::path target_, temporary_;  ///< no temporary: `target_` is written directly
   int descriptor_ = -1;
   std::string buffer_;
   uint64_t written_ = 0;
 };
 
-/// Throws what OutputFile would; leaves nothing but the folder. Devices and pipes are not tried.
+/// Throws what OutputFile would throw; leaves nothing behind but the folder. Does not try devices and pipes.
 void require_writable(const std::filesystem::path& path);
 
-/// The whole file at once.
+/// Writes the whole file as OutputFile does.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 

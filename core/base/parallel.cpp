@@ -11,7 +11,7 @@
 namespace hybridrt {
 namespace {
 
-/// The cgroup's CPU quota in processors, or 0 where there is none to be read.
+/// The cgroup's CPU quota in processors, or 0 where there is none.
 double cgroup_quota_processors() {
   double quota_us = 0, period_us = 0;
   if (std::ifstream v2("/sys/fs/cgroup/cpu.max"); v2) {

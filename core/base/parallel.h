@@ -12,16 +12,15 @@
 
 namespace hybridrt {
 
-/// Processors that this process may really use: its affinity mask, further limited by the cgroup's
-/// CPU quota (version 1 or 2), rounded up; at least 1.
+/// Processors that this process may use: its affinity mask, further limited by the cgroup's CPU quota (version 1 or 2),
+/// rounded up; at least 1.
 int allowed_processors();
 
-/// A fixed set of worker threads for loops over independent chunks. The calling thread works too, so a
-/// pool of size 1 starts no thread. Which worker takes which chunk is left to chance: results must not
-/// depend on it.
+/// A fixed set of worker threads for loops over independent chunks. The calling thread works too, so a pool of size 1
+/// starts no thread. Which worker takes which chunk varies from run to run: results must not depend on it.
 class ThreadPool {
  public:
-  /// `threads` >= 1, the caller's own included. Throws Error usage when the system does not give so many.
+  /// `threads` >= 1, the caller's own included. Throws Error (usage) when the system cannot start that many.
   explicit ThreadPool(int threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -29,9 +28,9 @@ class ThreadPool {
 
   int size() const { return static_cast<int>(workers_.size()) + 1; }
 
-  /// Calls `body(chunk, worker)` once for each chunk in [0, chunks), worker in [0, size()). Returns when
-  /// all are done; rethrows the first exception (the remaining chunks are then skipped). Callable from
-  /// any thread but not from inside a body; concurrent calls follow one another.
+  /// Calls `body(chunk, worker)` once for each chunk in [0, chunks), worker in [0, size()). Returns when all are done;
+  /// rethrows the first exception (the remaining chunks are then skipped). May be called from any thread but not from
+  /// inside a body; concurrent calls run one after the other.
   void run(size_t chunks, const std::function<void(size_t chunk, int worker)>& body);
 
  private:

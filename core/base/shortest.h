@@ -4,7 +4,7 @@
 
 namespace hybridrt {
 
-/// The float's number with the fewest digits that read back the same: 0.1, not 0.10000000149.
+/// The number with the fewest digits that reads back as the same float: 0.1, not 0.10000000149.
 inline double shortest_double(float value) {
   char digits[32];
   const char* const end = std::to_chars(digits, digits + sizeof digits, value).ptr;

@@ -9,13 +9,13 @@
 
 namespace hybridrt {
 
-/// What to throw for a std::system_error of somebody who starts threads: Error usage, with what to do.
+/// The Error (usage) to throw, saying what to do, for a std::system_error met while starting a thread.
 Error no_thread(const std::system_error& problem);
 
-/// A thread that runs `body`. Throws no_thread() when the system gives none.
+/// A thread that runs `body`. Throws no_thread() when the system cannot start one.
 [[nodiscard]] std::thread start_thread(std::function<void()> body);
 
-/// `body` on a thread of its own, as std::async. Throws as start_thread.
+/// Runs `body` on a thread of its own, like std::async. Throws as start_thread does.
 [[nodiscard]] std::future<void> start_task(std::function<void()> body);
 
 }  // namespace hybridrt

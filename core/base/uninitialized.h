@@ -6,7 +6,7 @@
 
 namespace hybridrt {
 
-/// Leaves new elements of plain types as they are in memory.
+/// An allocator that leaves new elements of plain types uninitialised.
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
   template <typename U>

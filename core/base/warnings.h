@@ -8,11 +8,11 @@
 
 namespace hybridrt {
 
-/// Things that were repaired or left out, one finished sentence each, cases counted ("12 faces …").
-/// Functions that can go on in spite of a fault take one and append; the command line prints them.
+/// Things that were repaired or left out, one sentence each, with the number of cases ("12 faces …"). Functions that
+/// can go on in spite of a fault append to them; the command line prints them.
 using Warnings = std::vector<std::string>;
 
-/// For messages: in single quotes, shortened, without control characters.
+/// `text` for messages: in single quotes, shortened, without control characters.
 std::string in_quotes(std::string_view text);
 
 /// Counts the cases of one kind of fault and remembers where the first one was.

@@ -8,7 +8,7 @@
 
 namespace hybridrt::gl {
 
-/// Which window-system-less binding of OpenGL to use.
+/// Which binding of OpenGL to use; none needs a window system.
 enum class Binding { any, egl, osmesa };
 
 struct ContextRequest {
@@ -45,15 +45,15 @@ class Context {
   ContextInfo info_;
 };
 
-/// Limits a software renderer's own threads, in all contexts of this process. Mesa is told by the environment, which
-/// other threads may be reading: call it before the program starts the first of them and before it opens a context.
+/// Limits a software renderer's own threads, in all contexts of this process. This sets an environment variable, which
+/// other threads may be reading: call it before the program starts its first thread and opens a context.
 void limit_software_threads(int threads);
 
 /// Opens the best context that the request allows: EGL devices (hardware first), EGL surfaceless, OSMesa.
 /// Throws Error(device) that says what was tried and how each failed.
 std::unique_ptr<Context> open_context(const ContextRequest& request);
 
-/// Tries every device there is, opening and closing a context on each; for `doctor`.
+/// Opens and closes a context on every device; for `doctor`.
 std::vector<ContextInfo> probe_devices(std::vector<DeviceInfo>& failed);
 
 /// Throws Error(device) naming the limit if `size` of `what` is more than `limit`.

@@ -2,7 +2,7 @@
 
 #include "core/gl/context.h"
 
-// The bindings behind open_context(). Each opener throws Error(device) with one clause of reason.
+// The bindings behind open_context(). Each opener throws Error(device) with the reason in one clause.
 namespace hybridrt::gl {
 
 /// Ids "egl:N" in EGL's own order, then "surfaceless"; empty when there is no libEGL (`problem` says so).

@@ -111,7 +111,7 @@ class EglContext final : public Context {
   }
 
  private:
-  /// It stays initialised: EGL gives the same one to whoever asks again.
+  /// It is never terminated: EGL returns the same display to every caller.
   EGLDisplay initialised_display(const std::string& device) const {
     const EGLDisplay display = display_of(device);
     if (display == EGL_NO_DISPLAY) throw Error(ErrorKind::device, "EGL gives no display for it");

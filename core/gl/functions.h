@@ -48,15 +48,15 @@
 
 namespace hybridrt::gl {
 
-/// The OpenGL 4.5 core entry points of one context. Handed to whatever calls GL; there is no global one.
+/// The OpenGL 4.5 core entry points of one context. Passed to whatever calls GL; there is no global instance.
 struct Functions {
 #define HRT_GL_MEMBER(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
   HRT_GL_FUNCTIONS(HRT_GL_MEMBER)
 #undef HRT_GL_MEMBER
 };
 
-/// Looks every entry point up with the context's own GetProcAddress, the context being current.
-/// Throws Error(device) naming the first one that is missing.
+/// Looks up every entry point with the context's own GetProcAddress; the context must be current. Throws Error(device)
+/// naming the first one that is missing.
 Functions load_functions(const std::function<void*(const char* name)>& get_proc_address);
 
 /// Throws Error(device) if GL has recorded an error since the last call. A pass calls it at its end;

@@ -6,8 +6,8 @@
 
 namespace hybridrt::gl {
 
-/// A shared library opened at run time, privately (RTLD_LOCAL: libOSMesa exports every gl* symbol and
-/// would shadow the driver's). Throws Error(device) when it is not there.
+/// A shared library opened at run time, privately (RTLD_LOCAL: libOSMesa exports every gl* symbol and would shadow the
+/// driver's). Throws Error(device) if it is not installed.
 class Library {
  public:
   explicit Library(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)), name_(name) {

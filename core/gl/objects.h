@@ -44,10 +44,10 @@ struct Texture : TextureName {
   Texture(const Functions& gl, GLenum internal_format, int width_px, int height_px, const std::string& label);
 };
 
-/// Several of the same size, one behind the other.
+/// Several textures of the same size, as layers.
 struct TextureArray : TextureName {
   TextureArray() = default;
-  /// With at least one layer, even if none is asked for.
+  /// Has at least one layer, even if `layers` is 0.
   TextureArray(const Functions& gl, GLenum internal_format, int width_px, int height_px, size_t layers,
                const std::string& label);
 };
@@ -68,7 +68,7 @@ struct BufferTexture : TextureName {
 
 struct Framebuffer : Handle<&Functions::DeleteFramebuffers> {
   Framebuffer() = default;
-  /// Throws Error(device) when the combination is incomplete. `color` may be null (depth only).
+  /// Throws Error(device) if the framebuffer is incomplete. `color` may be null (depth only).
   Framebuffer(const Functions& gl, const Texture* color, const Texture& depth, const std::string& label);
 };
 
@@ -76,7 +76,7 @@ struct Framebuffer : Handle<&Functions::DeleteFramebuffers> {
 struct VertexArray : Handle<&Functions::DeleteVertexArrays> {
   VertexArray() = default;
   VertexArray(const Functions& gl, const Buffer& positions, const Buffer& indices, const std::string& label);
-  /// Without attributes, for shaders that fetch what they need.
+  /// One without attributes, for shaders that fetch what they need.
   VertexArray(const Functions& gl, const std::string& label);
 };
 

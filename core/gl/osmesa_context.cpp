@@ -51,7 +51,7 @@ struct Current {
   Current& operator=(const Current&) = delete;
   ~Current() { own.mesa.make_current(nullptr, nullptr, 0, 0, 0); }
 
-  // OSMesa wants a default framebuffer; everything is drawn into our own ones.
+  // OSMesa wants a default framebuffer; we draw into our own instead.
   static constexpr int kScreenSize_px = 4;
   uint32_t screen[kScreenSize_px * kScreenSize_px];
 

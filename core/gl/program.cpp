@@ -94,7 +94,7 @@ Program::Program(const Functions& gl, const ShaderSources& sources, std::initial
     : Handle(gl, gl.CreateProgram()) {
   for (std::string_view file : files) {
     const Shader shader = compile(gl, sources, file);
-    gl.AttachShader(id_, shader.id());  // which lives on as long as the program
+    gl.AttachShader(id_, shader.id());  // the program keeps it alive
     name_ += (name_.empty() ? "" : " + ") + std::string(file);
   }
   gl.LinkProgram(id_);

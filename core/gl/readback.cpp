@@ -8,11 +8,11 @@
 namespace hybridrt::gl {
 namespace {
 
-constexpr unsigned char kSentinel = 0xFE;  // no pixel that we read consists of such bytes
+constexpr unsigned char kSentinel = 0xFE;  // no pixel that we read consists of these bytes only
 constexpr size_t kProbe_bytes = 4;
 constexpr GLbitfield kMapping = GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
 
-// Where it is looked whether pixels have come.
+// The bytes that tell whether pixels have arrived.
 std::span<unsigned char> first(std::span<unsigned char> all) { return all.first(std::min(kProbe_bytes, all.size())); }
 std::span<unsigned char> last(std::span<unsigned char> all) { return all.last(std::min(kProbe_bytes, all.size())); }
 
@@ -32,7 +32,7 @@ Readback::Readback(const Functions& gl, size_t bytes, const std::string& label)
 void Readback::start(const TextureName& texture, GLenum format, GLenum type) {
   const Functions& gl = *gl_;
   HRT_CHECK(!done_);
-  // Written here, not by the driver: one that drops commands would leave the last picture in place of a clear as well.
+  // Written by the CPU: a driver that drops the copy would drop a clear as well, and leave the last picture.
   std::ranges::fill(first(mapped_), kSentinel);
   std::ranges::fill(last(mapped_), kSentinel);
   gl.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);

@@ -8,18 +8,17 @@
 
 namespace hybridrt::gl {
 
-/// A texture's pixels on their way to the CPU, through a pixel buffer that stays mapped. Start it, do
-/// something else, wait.
+/// Copies a texture's pixels to the CPU through a pixel buffer that stays mapped. Start it, do something else, wait.
 class Readback {
  public:
-  /// `bytes`: size of the whole picture as it will be read.
+  /// `bytes`: size of all pixels that are read.
   Readback(const Functions& gl, size_t bytes, const std::string& label);
 
   /// Queues the copy of mip level 0, rows tightly packed, layer after layer.
   void start(const TextureName& texture, GLenum format, GLenum type);
 
-  /// Waits until the pixels are there; once for each start(). Throws Error(device) when the driver has not written
-  /// them: a limit that is passed silently must not become a black frame, or the last one.
+  /// Waits until the pixels are there; call it once per start(). Throws Error(device) when the driver has not written
+  /// them: a limit that the driver ignores silently must not become a black frame, or the previous one.
   void wait();
 
   /// Valid after wait(), until the next start().

@@ -14,7 +14,7 @@ class TimerQuery {
     ran_ = true;
   }
   void end() { gl_.QueryCounter(end_.id(), GL_TIMESTAMP); }
-  /// For a pass that this frame leaves out: elapsed_ms() is 0 then.
+  /// For a pass that this frame skips: elapsed_ms() is 0 then.
   void skip() { ran_ = false; }
 
   /// Waits for the GPU to reach end().

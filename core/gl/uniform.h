@@ -7,11 +7,11 @@
 
 namespace hybridrt::gl {
 
-/// A uniform of a program, found once, then only set. `T`: int, float, vec3 or mat4. The program must outlive it.
+/// A uniform of a program, looked up once. `T`: int, float, vec3 or mat4. The program must outlive it.
 template <typename T>
 class Uniform {
  public:
-  /// A name that the program does not use is an error (CheckFailed): it is always our mistake.
+  /// Throws CheckFailed for a name that the program does not use: it is always our mistake.
   Uniform(const Program& program, const std::string& name);
   void set(const T& value) const;
 

@@ -14,7 +14,7 @@ namespace hybridrt {
 struct GoldenCase {
   std::string name;                  ///< expected picture: NAME.png beside the list
   std::string scene;                 ///< path (resolved against the list) or scene:…
-  std::vector<std::string> options;  ///< of `render`
+  std::vector<std::string> options;  ///< options of `render`
   CompareLimits limits;
   std::string reason;  ///< why these limits
 };
@@ -26,15 +26,15 @@ struct GoldenList {
   std::filesystem::path expected(const GoldenCase& golden) const { return folder / (golden.name + ".png"); }
 };
 
-/// Throws Error(input) naming the file and the case: not JSON, unknown or missing keys, a name twice.
-/// Scene paths are looked for beside the list, then in the folder above it.
+/// Throws Error(input), naming the file and the case, for what is not JSON, unknown or missing keys, and a name given
+/// twice. Scene paths are resolved against the list's folder, then against the folder above it.
 GoldenList read_golden_list(const std::filesystem::path& list);
 
 /// Keeps the named cases, in the list's order; all if `names` is empty. Throws Error(usage) for a name that
 /// is not in the list.
 void keep_cases(GoldenList& list, std::span<const std::string> names);
 
-/// What became of a case. Paths are empty where there is no such file.
+/// The result of a case. Paths are empty where there is no such file.
 struct GoldenResult {
   GoldenCase golden;
   CompareResult compared;
@@ -50,7 +50,7 @@ struct GoldenResult {
 /// `page_folder`.
 std::string golden_html(std::span<const GoldenResult> results, const std::filesystem::path& page_folder);
 
-/// JUnit's XML, as CI servers read it.
+/// The results as JUnit XML, for CI servers.
 std::string golden_junit(std::span<const GoldenResult> results);
 
 }  // namespace hybridrt

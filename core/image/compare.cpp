@@ -10,7 +10,7 @@
 namespace hybridrt {
 namespace {
 
-/// What forbids comparing numbers at all, or an empty string.
+/// Why the numbers cannot be compared at all, or an empty string.
 std::string incomparable(const Image& image, const Image& reference) {
   if (image.width_px != reference.width_px || image.height_px != reference.height_px)
     return fmt::format("the image is {}x{} pixels, the reference {}x{}", image.width_px, image.height_px,

@@ -6,9 +6,8 @@
 
 namespace hybridrt {
 
-/// Values are compared as their file stores them, on its own 0-1 scale: display values (after the sRGB
-/// curve) for PNG and its like, linear ones for EXR. A limit of 0.004 is thus one step of 8 bits, dark or
-/// light.
+/// Values are compared as their file stores them, on its own 0-1 scale: display values (after the sRGB curve) for PNG
+/// and similar formats, linear values for EXR. So a limit of 0.004 is one step of 8 bits, dark or light.
 struct CompareLimits {
   double fail = 0.004;        ///< a pixel fails when any channel is off by more
   double fail_percent = 0.1;  ///< how many percent of the pixels may fail
@@ -24,19 +23,19 @@ struct CompareResult {
   double rmse = 0;
   double psnr_db = 0;  ///< against a peak of 1; infinite for equal images
   double max_error = 0;
-  int max_x = 0, max_y = 0, max_channel = 0;  ///< the first place of `max_error`
+  int max_x = 0, max_y = 0, max_channel = 0;  ///< where `max_error` occurs first
   size_t pixels = 0, pixels_over_fail = 0, pixels_over_hard_fail = 0;
 
   double percent_over_fail() const { return pixels ? 100.0 * pixels_over_fail / pixels : 0; }
   double percent_over_hard_fail() const { return pixels ? 100.0 * pixels_over_hard_fail / pixels : 0; }
 };
 
-/// Never throws over what the images hold: a different size, channel count or a non-finite value in either
-/// is a verdict, said in `reason`.
+/// Never throws because of what the images hold: a different size or channel count, or a non-finite value in either,
+/// makes them differ, and `reason` says so.
 CompareResult compare_images(const Image& image, const Image& reference, const CompareLimits& limits = {});
 
-/// Three channels of min(1, `amplification` * |a - b|): colours by channel, grey repeated, what lies beyond
-/// them (alpha) added to all three. A difference that is not finite shows white. Same size and channels.
+/// Three channels of min(1, `amplification` * |a - b|): colours by channel, grey repeated, further channels (alpha)
+/// added to all three. A difference that is not finite shows white. Same size and channels.
 Image difference_image(const Image& a, const Image& b, double amplification);
 
 struct NonFinite {

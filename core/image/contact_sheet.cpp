@@ -11,7 +11,7 @@ namespace {
 constexpr int kGapPx = 4;
 constexpr float kBackground = 0.02f;  // linear: a dark grey on which black frames still show
 
-/// One axis of the box: which source samples a result sample covers, and how much of each.
+/// One axis of the box: which source pixels a result pixel covers, and how much of each.
 struct Coverage {
   int first = 0;
   std::vector<float> weights;  ///< add up to 1

@@ -7,12 +7,12 @@
 
 namespace hybridrt {
 
-/// More channels of a picture's pixels, under names of their own.
+/// Further channels of a picture, under names of their own.
 struct ImageLayer {
   std::string name;                   ///< id, depth, normal, …
   std::vector<std::string> channels;  ///< "X", "Y", "Z"; a single unnamed one: ""
-  std::vector<float> values;          ///< a value a channel and pixel, interleaved; or else
-  std::vector<uint32_t> numbers;      ///< a whole number a channel and pixel
+  std::vector<float> values;          ///< one value per pixel and channel, interleaved; or
+  std::vector<uint32_t> numbers;      ///< one whole number per pixel and channel
 };
 
 /// Linear light unless said otherwise; row 0 on top, pixels left to right, channels interleaved.

@@ -6,9 +6,9 @@
 
 namespace hybridrt {
 
-/// What a written image says about itself: names and values, in order. Only what decides the pixels belongs
-/// here (version, settings, fingerprint), never a time or host: equal runs give equal bytes. Names have no
-/// '=' in them, neither has a line break; `encode_image` checks.
+/// What a written image says about itself: names and values, in order. Only what decides the pixels belongs here
+/// (version, settings, fingerprint), never a time or host: equal runs give equal bytes. Names hold no '=', and neither
+/// names nor values hold line breaks; `encode_image` checks.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
 }  // namespace hybridrt

@@ -40,7 +40,7 @@ uint32_t encoded(const Sum& sum) {
   return code(sum.red) | code(sum.green) << 8 | code(sum.blue) << 16 | static_cast<uint32_t>(alpha) << 24;
 }
 
-/// What part of a finer row or column a coarser texel covers.
+/// Which part of the finer rows or columns a coarser texel covers.
 struct Taps {
   int first = 0, count = 0;
   float shares[4] = {};

@@ -8,8 +8,8 @@
 namespace hybridrt {
 namespace {
 
-/// Codes are found by the top bits of the float, then corrected by one comparison: a bucket spans 1/256 of
-/// its value, where the curve rises by less than half a code. Below 2^-13 every code is 0.
+/// The top bits of the float select a code, which one comparison corrects: a bucket spans 1/256 of its value, over
+/// which the curve rises by less than half a code. Below 2^-13 every code is 0.
 struct CodeTable {
   static constexpr uint32_t kShift = 15;
   static constexpr uint32_t kFirst = std::bit_cast<uint32_t>(0x1p-13f) >> kShift;

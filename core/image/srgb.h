@@ -7,12 +7,12 @@
 
 namespace hybridrt {
 
-/// The curve of IEC 61966-2-1, extended below 0 and above 1 by the same formulas; values 0-1 both ways.
+/// The curve of IEC 61966-2-1, extended below 0 and above 1 by the same formulas; 0-1 maps to 0-1 both ways.
 double srgb_from_linear(double linear);
 double linear_from_srgb(double display);
 
-/// A linear value as the 8-bit display code, clamped to 0-1 and rounded to the nearest; exactly what the
-/// formula in double precision gives, some forty times faster. NaN gives 0.
+/// The 8-bit display code of a linear value, clamped to 0-1 and rounded to nearest. Equal to the formula in double
+/// precision, and about forty times as fast. NaN gives 0.
 uint8_t srgb8_from_linear(float linear);
 
 /// The index of the alpha channel (last of 2 or of 4), or -1. Alpha is a share, not light: no curve.

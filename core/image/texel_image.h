@@ -7,8 +7,8 @@
 
 namespace hybridrt {
 
-/// A picture as textures keep it: 8-bit display codes (sRGB), red in a word's lowest byte, then green, blue, alpha (not
-/// premultiplied; 255 where the file has none). Row 0 on top.
+/// A picture as textures store it: 8-bit display codes (sRGB), red in a word's lowest byte, then green, blue, alpha
+/// (not premultiplied; 255 where the file has none). Row 0 on top.
 struct TexelImage {
   int width_px = 0, height_px = 0;
   bool has_alpha = false;

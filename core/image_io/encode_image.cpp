@@ -37,7 +37,7 @@ Output create_writer(const std::string& format_or_name) {
   if (extension.empty()) return nullptr;
   Output writer = OIIO::ImageOutput::create(extension);
   if (!writer) {
-    OIIO::geterror();  // taken, or OpenImageIO prints it at exit
+    OIIO::geterror();  // cleared, or OpenImageIO prints it at exit
     return nullptr;
   }
   return is_picture_format(writer->format_name()) ? std::move(writer) : nullptr;
@@ -49,7 +49,7 @@ Output require_writer(const std::string& format_or_name) {
               format_or_name);
 }
 
-/// The image with the channels that the format takes.
+/// The image with the channels that the format can hold.
 Image with_writable_channels(const Image& image, const OIIO::ImageOutput& writer) {
   const std::string_view format = writer.format_name();
   if (format == "openexr") return image;
@@ -80,17 +80,17 @@ std::string description(const ImageMetadata& metadata) {
 OIIO::ImageSpec make_spec(const Image& image, std::string_view format, bool is_float, const ImageMetadata& metadata) {
   OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, is_float ? OIIO::TypeFloat : OIIO::TypeUInt8);
   if (!metadata.empty()) spec.attribute("ImageDescription", description(metadata));
-  spec.attribute("oiio:UnassociatedAlpha", 1);  // ours is not premultiplied: leave the colours alone
-  // A DateTime that is no string: the writers see that there is one, do not add the current time, and then
-  // find nothing to write.
+  spec.attribute("oiio:UnassociatedAlpha", 1);  // our alpha is not premultiplied: leave the colours alone
+  // A DateTime that is not a string: the writers see that there is one, do not add the current time, and then write
+  // none.
   spec.attribute("DateTime", 0);
   if (format == "png") {
-    // 1024x768 in 14 ms and 383 kB where the library's defaults (level 6, a filter tried out for every row)
-    // take 88 ms and 308 kB; level 1 with tried filters is slower (27 ms) and larger.
+    // 1024x768 pixels take 14 ms and 383 kB. The library's defaults (level 6, the filter chosen by trial per row) take
+    // 88 ms and 308 kB; level 1 with filters by trial is slower (27 ms) and larger.
     spec.attribute("png:compressionLevel", 1);
     spec.attribute("png:filter", 0x20);  // PNG_FILTER_UP
   }
-  // Not for TIFF: OpenImageIO 2.4 then adds an Exif directory, and in memory the file comes out torn.
+  // Not for TIFF: OpenImageIO 2.4 then adds an Exif directory, and a file written in memory is corrupt.
   if (format == "png" || format == "jpeg") spec.attribute("oiio:ColorSpace", "sRGB");
   if (format == "tiff") spec.attribute("compression", "lzw");
   if (format == "openexr") spec.attribute("compression", "zip");
@@ -98,7 +98,7 @@ OIIO::ImageSpec make_spec(const Image& image, std::string_view format, bool is_f
   return spec;
 }
 
-/// Adds the layers' channels behind the image's own. EXR files hold a file's channels by name.
+/// Adds the layers' channels after the image's own. EXR files name their channels.
 void describe_layers(const Image& image, OIIO::ImageSpec& spec) {
   spec.default_channel_names();
   spec.channelformats.assign(static_cast<size_t>(image.channels), OIIO::TypeFloat);
@@ -111,7 +111,7 @@ void describe_layers(const Image& image, OIIO::ImageSpec& spec) {
   spec.nchannels = static_cast<int>(spec.channelnames.size());
 }
 
-/// Pixel by pixel the image's channels and then the layers'; every one takes four bytes.
+/// Per pixel the image's channels, then the layers', each in four bytes.
 std::vector<uint32_t> interleaved_with_layers(const Image& image) {
   std::vector<uint32_t> words;
   for (size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
@@ -172,7 +172,7 @@ std::vector<unsigned char> encode_image(const Image& linear, const std::string& 
     describe_layers(image, spec);
   }
   writer->threads(1);
-  std::string file_name = "memory." + extension_of(format_or_name);  // JPEG 2000 and PNM have kinds
+  std::string file_name = "memory." + extension_of(format_or_name);  // JPEG 2000 and PNM have variants by extension
   if (writer->supports("ioproxy"))
     writer->set_ioproxy(&proxy);
   else

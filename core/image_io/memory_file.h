@@ -5,11 +5,11 @@
 
 namespace hybridrt {
 
-/// A file in memory with a name that other libraries can open, for writers that know only file names. Unlike
-/// a temporary beside the result it can be neither cut short by a full disk nor left behind by a crash.
+/// A file in memory with a name that other libraries can open, for writers that take file names only. Unlike a
+/// temporary beside the result it is neither cut short by a full disk nor left behind by a crash.
 class MemoryFile {
  public:
-  /// Throws Error output when the system has none to give.
+  /// Throws Error (output) when the system cannot make one.
   MemoryFile();
   ~MemoryFile();
   MemoryFile(const MemoryFile&) = delete;

@@ -14,10 +14,10 @@ void set_up_oiio() {
   std::call_once(once, [] {
     try {
       OIIO::attribute("threads", 1);
-    } catch (const std::system_error& problem) {  // it first starts a thread for every processor
+    } catch (const std::system_error& problem) {  // it first starts one thread per processor
       throw no_thread(problem);
     }
-    OIIO::attribute("exr_threads", -1);  // 0 would mean one for every processor of the machine
+    OIIO::attribute("exr_threads", -1);  // 0 would mean one per processor
     OIIO::attribute("debug", 0);         // standard error is ours
   });
 }

@@ -5,8 +5,8 @@
 
 namespace hybridrt {
 
-/// What is wrong with a PNG's chunks (cut short, a checksum), or "" for a whole one and for files of other formats.
-/// libpng writes of such files to standard error, past everybody who could stop it.
+/// What is wrong with a PNG's chunks (cut short, a wrong checksum), or "" for an intact one and for other formats.
+/// libpng would report such files on standard error, which nobody can prevent.
 std::string png_fault(const std::filesystem::path& path);
 
 }  // namespace hybridrt

@@ -46,17 +46,17 @@ void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {
                 path.string(), spec.width, spec.height, spec.nchannels, kMaxImageSidePx, kMaxImagePixels);
 }
 
-/// The reader that the extension asks for, else whichever knows the contents: pictures with a wrong extension
-/// are common. OpenImageIO's own search would also try its film, volume and raw camera readers.
+/// The reader for the extension, else the one that recognises the contents: pictures with a wrong extension are common.
+/// OpenImageIO's own search would also try its film, volume and raw camera readers.
 Input find_reader(const fs::path& path, std::string& problem) {
   OIIO::ImageSpec as_stored;
-  as_stored.attribute("oiio:UnassociatedAlpha", 1);  // else PNG colours come multiplied by alpha
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);  // else PNG colours are premultiplied by alpha
   const auto opened = [&](Input reader) -> Input {
     OIIO::ImageSpec spec;
     if (reader && is_picture_format(reader->format_name()) && reader->open(path.string(), spec, as_stored))
       return reader;
     if (reader && reader->has_error() && problem.empty()) problem = one_line(reader->geterror());
-    OIIO::geterror();  // taken, or OpenImageIO prints it at exit
+    OIIO::geterror();  // cleared, or OpenImageIO prints it at exit
     return nullptr;
   };
 
@@ -79,9 +79,9 @@ Input open_image(const fs::path& path) {
   std::string problem;
   Input input;
   {
-    // One header at a time, of whatever format: OpenImageIO 2.4 looks tags of ICC profiles up in maps that all its
-    // readers share, puts in those that it does not know, and takes no lock (its issue 3756, pull request 3767). What
-    // else its readers and writers share it guards itself; pixels are read side by side.
+    // One header at a time, whatever the format: OpenImageIO 2.4 looks up tags of ICC profiles in maps that all its
+    // readers share, inserts those that it does not know, and takes no lock (its issue 3756, pull request 3767). It
+    // guards everything else that its readers and writers share, so pixels are read in parallel.
     static std::mutex reading_header;
     const std::lock_guard lock(reading_header);
     input = find_reader(path, problem);
@@ -94,7 +94,7 @@ Input open_image(const fs::path& path) {
   return input;
 }
 
-/// A strip at a time into reserved memory: a file cut short fails before most of it is touched.
+/// Reads strip by strip into reserved memory: a file that is cut short fails before most of it is touched.
 Image read_pixels(const fs::path& path, OIIO::ImageInput& input) {
   const OIIO::ImageSpec spec = input.spec();
   Image image;
@@ -116,14 +116,14 @@ Image read_pixels(const fs::path& path, OIIO::ImageInput& input) {
   return image;
 }
 
-/// One pixel's channels, of 8 bits, as a texel.
+/// A pixel's 8-bit channels as a texel.
 uint32_t texel_of(const uint8_t* codes, int channels) {
   const uint32_t red = codes[0], green = channels > 2 ? codes[1] : red, blue = channels > 2 ? codes[2] : red;
   const int alpha = alpha_channel(channels);
   return red | green << 8 | blue << 16 | (alpha >= 0 ? uint32_t{codes[alpha]} : 255u) << 24;
 }
 
-/// Display codes of rows of the file's numbers, in strips as read_pixels.
+/// Converts rows of the file's numbers to display codes, strip by strip as in read_pixels.
 TexelImage read_codes(const fs::path& path, OIIO::ImageInput& input) {
   const OIIO::ImageSpec spec = input.spec();
   const int channels = std::min(spec.nchannels, 4);

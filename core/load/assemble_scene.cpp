@@ -20,7 +20,7 @@ constexpr size_t kGrain = 1 << 16;
 constexpr double kFarFromOrigin = 16;   // times the scene's size
 constexpr double kLargestScene = 1e18;  // beyond, squares of lengths leave the range of float; and below 1 / this
 
-/// Of the vertices that triangles use, in double.
+/// The box of the vertices that triangles use, in double.
 struct WorldBox {
   dvec3 lo{std::numeric_limits<double>::infinity()}, hi{-std::numeric_limits<double>::infinity()};
 };
@@ -35,12 +35,12 @@ void grow(WorldBox& box, const MeshData& mesh) {
 
 double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// The box centre on a grid as coarse as the box is large: few bits, so that p - origin is exact in double
-/// and the same whatever else is in the file's neighbourhood.
+/// The centre of the box, on a grid as coarse as the box is large: it has few bits, so p - origin is exact in double,
+/// and a small change of the box does not move it.
 dvec3 choose_origin(const WorldBox& box) {
   const double size = largest(box.hi - box.lo);
   const double reach = largest(glm::max(glm::abs(box.lo), glm::abs(box.hi)));
-  if (size == 0 || reach <= kFarFromOrigin * size) return dvec3(0);  // a point has no area: it is refused later
+  if (size == 0 || reach <= kFarFromOrigin * size) return dvec3(0);  // a point has no area and is refused later
   const double grid = std::exp2(std::floor(std::log2(size)));
   return glm::round((box.lo + (box.hi - box.lo) / 2.0) / grid) * grid;
 }
@@ -83,7 +83,7 @@ void leave_out_degenerate(MeshData& mesh, std::span<const vec3> positions, Threa
   keep_good(mesh.triangle_places, faults);
 }
 
-/// Appends `values` to `all`, whose memory it takes where that is empty.
+/// Appends `values` to `all`; reuses the memory of `values` if `all` is empty.
 template <typename T>
 void append(std::vector<T>& all, std::vector<T>&& values) {
   if (all.empty())
@@ -119,14 +119,14 @@ void take_normals(MeshData& mesh, Scene& scene, Warnings& warnings) {
       }
     }
   for (vec3& normal : mesh.normals)
-    if (normal == vec3(0)) normal = vec3(0, 1, 0);  // no corner uses it any more; keeps the others' places
+    if (normal == vec3(0)) normal = vec3(0, 1, 0);  // no corner uses it any more; keeps the others' indices
   report(bad, "corners had a zero or unreadable normal, rebuilt from the faces around", mesh.path, warnings,
          mesh.place);
   append(scene.normals, std::move(mesh.normals));
   append(scene.triangle_normals, std::move(mesh.triangle_normals));
 }
 
-/// Whether a texture may be read for any of them.
+/// Whether any of the meshes may need a texture.
 bool needs_texcoords(const std::vector<LoadedMesh>& meshes, const LoadWatch& watch) {
   const auto has_maps = [](const Material& material) { return !material.maps.empty(); };
   return watch.read_texels && std::any_of(meshes.begin(), meshes.end(), [&](const LoadedMesh& mesh) {
@@ -145,9 +145,9 @@ void take_texcoords(MeshData& mesh, Textures& textures) {
   append(textures.triangle_texcoords, std::move(mesh.triangle_texcoords));
 }
 
-constexpr uint32_t kDefaultMaterial = 0;  // until it is known whether anybody uses it
+constexpr uint32_t kDefaultMaterial = 0;  // until it is known whether any triangle uses it
 
-/// Turns the file's material numbers into 1 + indices of scene.materials, kDefaultMaterial for none.
+/// Turns the file's material numbers into 1 + the index in scene.materials, or kDefaultMaterial for none.
 void take_materials(LoadedMesh& loaded, Scene& scene, Warnings& warnings) {
   MeshData& mesh = loaded.data;
   const auto first = static_cast<uint32_t>(scene.materials.size()) + 1;
@@ -176,7 +176,7 @@ void take_materials(LoadedMesh& loaded, Scene& scene, Warnings& warnings) {
   append(scene.triangle_materials, std::move(mesh.triangle_materials));
 }
 
-/// Puts the default material first if it is used, else takes it out of the count.
+/// Puts the default material first if it is used; else drops it and renumbers the others.
 void settle_default_material(Scene& scene) {
   auto& indices = scene.triangle_materials;
   if (std::find(indices.begin(), indices.end(), kDefaultMaterial) != indices.end())

@@ -12,21 +12,21 @@
 
 namespace hybridrt {
 
-/// A file's mesh and the materials that its names mean.
+/// A file's mesh and the materials that it names.
 struct LoadedMesh {
   MeshData data;
   std::vector<Material> library;
-  std::vector<std::string> library_files;  ///< that were read
+  std::vector<std::string> library_files;  ///< the MTL files that were read
 };
 
-/// One validated scene out of one or several meshes, in their order.
-///  - `origin_world` is 0 unless the whole lies farther from the origin than 16 times its size.
+/// Makes one validated scene of one or several meshes, in their order.
+///  - `origin_world` is 0 unless the scene lies farther from the origin than 16 times its size.
 ///  - Triangles that repeat a vertex or have no area (as floats in scene space) are left out, with a warning.
 ///  - Usable normals are kept in their order; the other corners get smooth ones (normals.h).
 ///  - Each mesh's materials follow one another; "default" comes first if any triangle names no material or an
 ///    unknown one, the latter with a warning.
 ///  - Textures are read by watch.read_texels (load_textures.h). Texture coordinates are kept only for them.
-/// Throws Error (input): a mesh without a usable face, a scene too large or small for single precision.
+/// Throws Error (input) for a mesh without a usable face and for a scene too large or small for single precision.
 Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings& warnings, const LoadWatch& watch = {});
 
 }  // namespace hybridrt

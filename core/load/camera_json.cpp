@@ -6,7 +6,7 @@
 namespace hybridrt {
 namespace {
 
-constexpr double kLargestFrame = 1e15;  // whole numbers beyond are not all doubles; and differences stay finite
+constexpr double kLargestFrame = 1e15;  // beyond, doubles skip whole numbers; differences stay finite
 
 double parse_fov(const JsonPlace& place) {
   const auto fov = place.find("fov_y_deg");
@@ -17,7 +17,7 @@ double parse_fov(const JsonPlace& place) {
   return degrees * kPi / 180;
 }
 
-/// What keys and a still camera have in common.
+/// Parses what keys and a still camera have in common.
 Camera parse_view(const JsonPlace& place, UpAxis up_axis) {
   Camera camera;
   camera.eye_world = y_up_from_files(up_axis, place.at("eye").vector());

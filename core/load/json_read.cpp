@@ -19,7 +19,8 @@ struct Position {
   size_t line = 1, column = 1;
 };
 
-/// Of the byte that the parser stumbled over (counted from 1; one past the end where the text is cut short).
+/// Line and column of the byte that the parser stopped at (counted from 1; one past the end where the text is cut
+/// short).
 Position position_of(std::string_view text, size_t byte) {
   Position position;
   const size_t end = std::min(byte > 0 ? byte - 1 : 0, text.size());
@@ -30,7 +31,7 @@ Position position_of(std::string_view text, size_t byte) {
   return position;
 }
 
-/// The library's message without its own numbers: what stands after "column N: ", or else after "[…] ".
+/// The library's message without its position: what follows "column N: ", or else "[…] ".
 std::string_view reason(std::string_view message) {
   const size_t column = message.find("column ");
   const size_t colon = column == message.npos ? message.npos : message.find(": ", column);
@@ -139,7 +140,7 @@ dvec3 JsonPlace::direction() const {
   const dvec3 v = vector();
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(largest > 0)) fail("must not be zero: it is a direction");
-  return largest > 1e-100 ? v : v / largest;  // squares of the smallest numbers are none
+  return largest > 1e-100 ? v : v / largest;  // squares of the smallest numbers underflow
 }
 
 }  // namespace hybridrt

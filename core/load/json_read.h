@@ -10,31 +10,32 @@
 
 namespace hybridrt {
 
-/// Largest JSON file that is read: a camera path of half a million keys.
+/// Largest JSON file that is read: enough for a camera path of half a million keys.
 inline constexpr size_t kLargestJson = size_t{64} << 20;
 
-/// The whole file. Throws Error (input): missing, a directory, too large, not JSON (with line and column).
+/// Reads the whole file. Throws Error (input) if it is missing, a directory, too large, or not JSON (with line and
+/// column).
 nlohmann::json read_json_file(const std::filesystem::path& path);
 
-/// A value of a JSON document that knows where it stands, so that every complaint names its place
-/// ("shot.json: keyframes[3].eye: …"). Refers to the document, which must outlive it. Every function throws
-/// Error (input) when the value is not what it is asked to be.
+/// A value of a JSON document that knows its place in it, so that every error names that place ("shot.json:
+/// keyframes[3].eye: …"). Refers to the document, which must outlive it. Every function throws Error (input) when the
+/// value is not of the wanted kind.
 class JsonPlace {
  public:
   JsonPlace(const nlohmann::json& value, std::string where) : value_(&value), where_(std::move(where)) {}
 
   const nlohmann::json& value() const { return *value_; }
   const std::string& where() const { return where_; }
-  void only_object() const;  ///< refuses all else
+  void only_object() const;  ///< refuses anything but an object
   bool is_text() const { return value_->is_string(); }
 
-  /// Of an object. `only` refuses all keys but these, by name.
+  /// For objects. `only` refuses all other keys, naming the first.
   void only(std::initializer_list<const char*> keys) const;
   bool has(const char* key) const;
   JsonPlace at(const char* key) const;
   std::optional<JsonPlace> find(const char* key) const;
 
-  /// Of an array.
+  /// For arrays.
   size_t size() const;
   JsonPlace operator[](size_t index) const;
 

@@ -20,24 +20,25 @@ static_assert(static_cast<uint32_t>(MapKind::diffuse) == HRT_MAP_DIFFUSE &&
               static_cast<uint32_t>(MapKind::emitted) == HRT_MAP_EMITTED &&
               static_cast<uint32_t>(MapKind::holes) == HRT_MAP_HOLES);
 
-constexpr size_t kReadTogether = 8;         // bounds what is held beside the words
-constexpr uint32_t kMostMapSets = 1 << 20;  // the GPU gets their places as floats
+constexpr size_t kReadTogether = 8;         // bounds the memory used besides the words
+constexpr uint32_t kMostMapSets = 1 << 20;  // the GPU gets their indices as floats
 
-/// An image in one of its uses.
+/// An image as one kind of map uses it.
 struct TextureImage {
   const TextureMap* map = nullptr;
   int width_px = 0, height_px = 0, levels = 1;
-  std::vector<uint32_t> texels;  ///< all levels
+  std::vector<uint32_t> texels;  ///< all levels, one after the other
   bool has_holes = false;        ///< some alpha is under one half
-  uint32_t first = 0;            ///< in the words
-  bool missing = false;          ///< a checker in its place, but for map_d
-  std::string failure;           ///< why, unless the MTL's reader has told
+  uint32_t first = 0;            ///< its index in the words
+  bool missing = false;          ///< replaced by a checker, except for map_d
+  std::string failure;           ///< why, unless the MTL reader has already said so
   bool usable_as(MapKind kind) const { return kind == MapKind::diffuse || !missing; }
 };
 
 using Key = std::tuple<std::string, bool, char, float, float>;
 
-/// Images are told apart by what is made of the file; -mm of map_d is, as holes are decided by texels alone.
+/// Two images differ if different texels are made of their files. That depends on -mm for map_d, since texels alone
+/// decide where holes are.
 Key key_of(const TextureMap& map) {
   const bool holes = map.kind == MapKind::holes;
   return {map.path.string(), holes, map.channel, holes ? map.base : 0, holes ? map.gain : 0};
@@ -55,7 +56,7 @@ uint32_t channel_of(uint32_t texel, char channel) {
   return (byte_of(texel, 0) + byte_of(texel, 1) + byte_of(texel, 2) + 1) / 3;
 }
 
-/// Puts how opaque map_d says that each texel is into its alpha.
+/// Stores each texel's opacity, as map_d gives it, in its alpha.
 void make_opacity(TexelImage& image, const TextureMap& map) {
   const auto see_through = [](uint32_t texel) { return texel >> 24 != 255; };
   const bool by_alpha = std::any_of(image.texels.begin(), image.texels.end(), see_through);
@@ -66,7 +67,7 @@ void make_opacity(TexelImage& image, const TextureMap& map) {
   }
 }
 
-/// Eight by eight squares.
+/// A checker of eight by eight squares.
 TexelImage checker() {
   constexpr int kSide_px = 64;
   TexelImage image{kSide_px, kSide_px, false, {}};
@@ -130,7 +131,8 @@ class Loader {
     textures_.words.resize(next_record_ + size_t{HRT_TEXTURE_RECORD} * records_);
   }
 
-  /// A few at a time, taken in their order: what the words have no room for does not depend on the threads.
+  /// Reads a few at a time and takes them in order: which ones the words have no room for does not depend on the
+  /// threads.
   void read_images() {
     const uint64_t most_words = std::min<uint64_t>(kMostTextureWords, watch_.most_bytes / 16);
     for (size_t begin = 0; begin < images_.size(); begin += kReadTogether) {
@@ -235,7 +237,7 @@ class Loader {
       uvec3& corners = textures_.triangle_texcoords[i];
       const bool lacks_some = corners.x == kNoIndex || corners.y == kNoIndex || corners.z == kNoIndex;
       if (!lacks_some) continue;
-      without += maps != 0 && any_read_.at(maps);  // of a missing file enough has been told
+      without += maps != 0 && any_read_.at(maps);  // a missing file has had its warning
       if (zero == kNoIndex) {
         zero = static_cast<uint32_t>(textures_.texcoords.size());
         textures_.texcoords.push_back(vec2(0));
@@ -254,11 +256,11 @@ class Loader {
   Warnings& warnings_;
   const LoadWatch& watch_;
 
-  std::vector<bool> used_;  ///< of each material
+  std::vector<bool> used_;  ///< whether each material is used
   std::vector<TextureImage> images_;
   std::map<Key, size_t> indices_;
   uint32_t sets_ = 0, records_ = 0, next_set_ = 0, next_record_ = 0;
-  std::map<uint32_t, bool> any_read_;  ///< of a set of maps: some image is not missing
+  std::map<uint32_t, bool> any_read_;  ///< per set of maps: some image is not missing
   bool any_ = false;                   ///< some material has a texture
   size_t unreadable_ = 0;
   std::string first_failure_;

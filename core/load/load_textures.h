@@ -7,18 +7,17 @@
 
 namespace hybridrt {
 
-/// Reads the textures that the materials of the scene's triangles name, by watch.read_texels, and fills scene.textures,
-/// Material::texture_maps and scene.files. `textures` brings the texture coordinates; its triangle_texcoords may hold
-/// kNoIndex: such corners are at (0, 0), with a warning. Without any texture nothing is kept.
+/// Reads the textures that the materials of the scene's triangles name, with watch.read_texels, and fills
+/// scene.textures, Material::texture_maps and scene.files. `textures` holds the texture coordinates; its
+/// triangle_texcoords may hold kNoIndex: such corners are at (0, 0), with a warning. Without any texture nothing is
+/// kept.
 ///
-///  - map_Kd that is missing or cannot be read becomes a checker; other maps are then left out. One warning counts
-///  those
-///    that cannot be read. A missing file has had its warning when the MTL was read.
-///  - Holes come from map_d, else from the alpha of map_Kd, where any texel of it is under one half. map_d takes the
-///    image's alpha, where there is some, else its brightness.
-///  - A file is read once. No more than kMostTextureWords in all, and a quarter of watch.most_bytes for all: the
-///  textures
-///    beyond that count as unreadable. The same for any number of threads.
+///  - A map_Kd that is missing or cannot be read becomes a checker; other maps are then left out. One warning counts
+///    those that cannot be read. A missing file has had its warning when the MTL was read.
+///  - Holes come from map_d, else from the alpha of map_Kd, if any of its texels is under one half. map_d takes the
+///    image's alpha, if it has any, else its brightness.
+///  - A file is read once. All textures together may take kMostTextureWords and a quarter of watch.most_bytes; those
+///    beyond count as unreadable. The same for any number of threads.
 void load_textures(Scene& scene, Textures&& textures, ThreadPool& pool, Warnings& warnings, const LoadWatch& watch);
 
 }  // namespace hybridrt

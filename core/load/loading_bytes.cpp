@@ -17,17 +17,17 @@ namespace {
 namespace fs = std::filesystem;
 
 // At the peak: positions in double and float, smooth normals and what building them takes; four arrays of indices.
-constexpr uint64_t kBytesAVertex = 72, kBytesATriangle = 44;
+constexpr uint64_t kBytesPerVertex = 72, kBytesPerTriangle = 44;
 // An OBJ of a million triangles with normals takes 2.5 times its text, one without them 3.6 times.
-constexpr uint64_t kBytesAnObjByte = 4, kBytesATextStlByte = 2;
-constexpr uint64_t kMadeBytesATriangle = 90;  // balls, of two million triangles
+constexpr uint64_t kBytesPerObjByte = 4, kBytesPerTextStlByte = 2;
+constexpr uint64_t kMadeBytesPerTriangle = 90;  // measured on balls of two million triangles
 
 uint64_t mesh_bytes(uint64_t vertices, uint64_t triangles) {
-  return vertices * kBytesAVertex + triangles * kBytesATriangle;
+  return vertices * kBytesPerVertex + triangles * kBytesPerTriangle;
 }
 
 uint64_t ply_bytes(const fs::path& path) {
-  const PlyHeader header = read_ply_header(path);  // holds the counts against the file's size
+  const PlyHeader header = read_ply_header(path);  // checks the counts against the file's size
   uint64_t vertices = 0, faces = 0;
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") vertices += element.count;
@@ -48,16 +48,17 @@ uint64_t off_bytes(const fs::path& path, uint64_t file_bytes) {
       if (number && *number >= 0) counts[found++] = static_cast<uint64_t>(std::min(*number, 1e18));
     }
   }
-  // Two bytes a number, three numbers a vertex; the reader refuses more.
+  // Two bytes per number, three numbers per vertex; the reader refuses more.
   return mesh_bytes(std::min(counts[0], file_bytes / 6), std::min(counts[1], file_bytes / 2));
 }
 
 uint64_t stl_bytes(const fs::path& path, uint64_t file_bytes) {
   std::array<char, 5> start{};
   std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-  const bool text = std::string_view(start.data(), start.size()) == "solid";  // some binary ones too; no matter
+  const bool text =
+      std::string_view(start.data(), start.size()) == "solid";  // true of some binary files too, which does no harm
   const uint64_t facets = (file_bytes - std::min<uint64_t>(file_bytes, 84)) / 50;
-  return text ? file_bytes * kBytesATextStlByte : mesh_bytes(3 * facets, facets);
+  return text ? file_bytes * kBytesPerTextStlByte : mesh_bytes(3 * facets, facets);
 }
 
 }  // namespace
@@ -71,15 +72,15 @@ uint64_t loading_bytes(const fs::path& path) {
       case MeshFormat::ply: return ply_bytes(path);
       case MeshFormat::off: return off_bytes(path, file_bytes);
       case MeshFormat::stl: return stl_bytes(path, file_bytes);
-      case MeshFormat::obj: return file_bytes * kBytesAnObjByte;
+      case MeshFormat::obj: return file_bytes * kBytesPerObjByte;
     }
-  } catch (const Error&) {  // of the reader, which will say it again and better
+  } catch (const Error&) {  // the reader will report it, with more detail
   }
   return 0;
 }
 
 uint64_t making_bytes(int64_t triangles) {
-  return triangles > 0 ? static_cast<uint64_t>(triangles) * kMadeBytesATriangle : 0;
+  return triangles > 0 ? static_cast<uint64_t>(triangles) * kMadeBytesPerTriangle : 0;
 }
 
 void require_room_for_scene(const std::string& what, uint64_t bytes, uint64_t most_bytes) {

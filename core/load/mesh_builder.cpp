@@ -4,7 +4,6 @@
 #include "core/mesh/polygon.h"
 
 namespace hybridrt {
-namespace {}  // namespace
 
 MeshBuilder::MeshBuilder(const std::filesystem::path& path, const char* place) {
   data.path = path;

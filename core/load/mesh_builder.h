@@ -9,8 +9,8 @@
 
 namespace hybridrt {
 
-/// Fills a MeshData from a file that says one thing after the other: checks every number and index, cuts
-/// polygons into triangles, counts what cannot be used.
+/// Fills a MeshData item by item: checks every number and index, cuts polygons into triangles, counts what cannot be
+/// used.
 class MeshBuilder {
  public:
   MeshBuilder(const std::filesystem::path& path, const char* place);
@@ -24,11 +24,10 @@ class MeshBuilder {
   /// Corners are indices of vertices that were added. Fewer than three are counted and left out.
   void add_face(std::span<const uint32_t> corners, size_t place);
 
-  /// A corner as a number of the file. Throws Error (input) unless it is the index of one of `vertices`.
+  /// A corner given as a number. Throws Error (input) unless it is an index below `vertices`.
   uint32_t corner(double index, size_t vertices, size_t place) const;
 
-  /// Says what was left out, and hands the mesh over. Normals, if there are as many as vertices, belong to
-  /// them.
+  /// Warns of what was left out and returns the mesh. If there are as many normals as vertices, they belong to them.
   MeshData finish(Warnings& warnings);
 
   [[noreturn]] void fail(size_t place, const std::string& problem) const;

@@ -12,7 +12,7 @@ inline constexpr const char* kMeshFormats = ".obj, .ply, .off or .stl";
 /// Whether the extension, in whatever case, is one of these.
 bool is_mesh_file(const std::filesystem::path& path);
 
-/// By the extension. What has a directory's name or none of ours is taken for OBJ, whose reader says what is wrong.
+/// By the extension. Directories and unknown extensions count as OBJ, whose reader says what is wrong.
 MeshFormat mesh_format_of(const std::filesystem::path& path);
 
 }  // namespace hybridrt

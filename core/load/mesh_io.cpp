@@ -75,7 +75,7 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
     ThreadPool alone(1);
     read(small[i], alone);
   });
-  for (const std::exception_ptr& failure : failures)  // the first file's, whichever thread was first
+  for (const std::exception_ptr& failure : failures)  // that of the first file, not of the first thread
     if (failure) std::rethrow_exception(failure);
   for (const Warnings& own : own_warnings) warnings.insert(warnings.end(), own.begin(), own.end());
   return assemble_scene(std::move(meshes), pool, warnings, watch);

@@ -12,7 +12,7 @@
 namespace hybridrt {
 namespace {
 
-/// Where a statement stands, and what is left of it.
+/// A statement: its place, and what is left of it to read.
 struct Statement {
   const TextLines& lines;
   std::string_view name, rest;
@@ -44,7 +44,7 @@ bool names_a_texture(std::string_view statement) {
          statement == "refl" || statement == "norm";
 }
 
-/// The kind of the maps that are read.
+/// The kind of map, for maps that we read.
 std::optional<MapKind> map_kind(std::string_view statement) {
   if (statement == "map_Kd") return MapKind::diffuse;
   if (statement == "map_Ks") return MapKind::specular;
@@ -80,7 +80,7 @@ void read_texture(const Statement& s, Reading& reading, Tallies& tallies) {
   texture.map.kind = *kind;
   texture.map.path = std::move(file.path);
   std::vector<TextureMap>& maps = reading.material.maps;
-  std::erase_if(maps, [&](const TextureMap& map) { return map.kind == *kind; });  // the last one counts
+  std::erase_if(maps, [&](const TextureMap& map) { return map.kind == *kind; });  // the last of a kind counts
   maps.push_back(std::move(texture.map));
 }
 
@@ -101,7 +101,7 @@ void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
     if (m.ni <= 0) m.ni = 1, tallies.bad_ni.add(line);
   } else if (s.name == "d") {
     std::string_view peek = s.rest;
-    if (take_word(peek) == "-halo") s.rest = peek;  // fades with the angle; we take the plain factor
+    if (take_word(peek) == "-halo") s.rest = peek;  // -halo fades with the angle; we take the plain factor
     reading.dissolve = std::clamp(take_number(s), 0.f, 1.f);
   } else if (s.name == "Tr") {
     reading.transparency = std::clamp(take_number(s), 0.f, 1.f);
@@ -112,10 +112,11 @@ void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
     if (!known) tallies.bad_illum.add(line);
   } else if (names_a_texture(s.name)) {
     read_texture(s, reading, tallies);
-  }  // Ka and what else there is: not used
+  }  // Ka and the rest are not used
 }
 
-/// A map alone means its own colours. So does a diffuse one over black, which would show nothing.
+/// A map without a colour to multiply shows its own colours. So does a diffuse map over black, which would show
+/// nothing.
 void mark_maps_alone(Reading& reading) {
   for (TextureMap& map : reading.material.maps) {
     if (map.kind == MapKind::diffuse) map.alone = !reading.has_kd || reading.material.kd == vec3(0);
@@ -147,7 +148,7 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
   TextLines lines(path, LineJoin::none);
   Tallies tallies;
   Reading reading;
-  bool inside = false;  // what stands before the first newmtl belongs to nothing
+  bool inside = false;  // statements before the first newmtl belong to no material
   for (std::string_view line; lines.next(line);) {
     Statement s{lines, {}, line};
     s.name = take_word(s.rest);

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kMostWords = 64;  // on one line, beyond which no name is tried with blanks in it
+constexpr size_t kMostWords = 64;  // per line; with more, names with blanks are not tried
 
 /// The regular file that `name` means, or an empty path.
 fs::path find_library(const fs::path& folder, std::string name) {

@@ -12,15 +12,15 @@
 namespace hybridrt {
 namespace {
 
-// Statements that carry nothing we draw, or nothing we read yet.
+// Statements with nothing that we draw, or nothing that we read yet.
 constexpr std::array<std::string_view, 18> kIgnored = {
     "g",  "o",      "s",      "p",        "l",        "vp",         "lod",       "mg", "bevel",
     "vw", "usemap", "maplib", "c_interp", "d_interp", "shadow_obj", "trace_obj", "t",  "end"};
 
-// What to do about a line that cannot be meant.
+// What a user can do about a faulty line.
 constexpr const char* kMend = "mend that line or export the mesh again";
 
-/// Reads an optionally signed integer; it saturates far outside of what an int holds. Null without digits.
+/// Reads an optionally signed integer, which saturates far beyond the range of int. Null without digits.
 const char* scan_index(const char* p, const char* end, int64_t& index) {
   const bool negative = p != end && *p == '-';
   if (p != end && (*p == '-' || *p == '+')) ++p;
@@ -102,9 +102,9 @@ class ChunkReader {
     chunk_.data.normals.push_back(usable_normal(n));
   }
 
-  /// One number or two; a third is of volumes.
+  /// One number or two; a third, for volumes, is ignored.
   void read_texcoord(std::string_view rest) {
-    constexpr double kLargest = 1e6;  // beyond, a float has no digits left for the place in the image
+    constexpr double kLargest = 1e6;  // beyond, a float has too few digits to place a texel
     vec2 texcoord(0);
     for (int axis = 0; axis < 2; ++axis) {
       const std::string_view word = take_word(rest);
@@ -160,7 +160,7 @@ class ChunkReader {
     data.triangle_places.push_back(static_cast<uint32_t>(line()));
   }
 
-  /// The array stays empty up to the first triangle that has an index at all.
+  /// The array stays empty until the first triangle with an index.
   void append_indices(std::vector<uvec3>& all, const uvec3& indices) const {
     const bool has_some = indices != uvec3(kNoIndex);
     if (has_some && all.empty()) all.resize(chunk_.data.triangle_positions.size(), uvec3(kNoIndex));
@@ -197,12 +197,12 @@ class ChunkReader {
     return p;
   }
 
-  /// Of a 1-based or, from the end, negative index.
+  /// The 0-based form of an index that is 1-based or, counted from the end, negative.
   static uint32_t resolved(int64_t index, size_t count) {
     return static_cast<uint32_t>(index > 0 ? index - 1 : static_cast<int64_t>(count) + index);
   }
 
-  /// A vt or vn index that leads nowhere is left out; one that points ahead is looked at when all are there.
+  /// A vt or vn index out of range is left out; one that points ahead is checked when all vertices are known.
   uint32_t checked(int64_t index, size_t count, std::vector<ObjChunk::Ahead>& ahead, Tally& bad) {
     const auto signed_count = static_cast<int64_t>(count);
     if (index != 0 && index >= -signed_count && index <= signed_count) return resolved(index, count);
@@ -227,7 +227,7 @@ class ChunkReader {
   ObjChunk& chunk_;
   LineScanner lines_;
   std::unordered_map<std::string, uint32_t> material_ids_;
-  std::vector<ObjChunk::Corner> corners_;  // of the face at hand; kept for their memory
+  std::vector<ObjChunk::Corner> corners_;  // corners of the current face; kept to reuse memory
 };
 
 }  // namespace
@@ -243,7 +243,7 @@ ObjCounts count_statements(const std::filesystem::path& path, std::string_view t
       counts.texcoords += statement == "vt";
       counts.faces += statement == "f";
     }
-  } catch (const Error&) {  // read_chunk comes to the same line
+  } catch (const Error&) {  // read_chunk will stop at the same line
   }
   counts.lines = lines.lines();
   return counts;

@@ -12,7 +12,7 @@
 
 namespace hybridrt {
 
-/// Statements of an OBJ file up to some place.
+/// How many statements of each kind an OBJ file has up to some place.
 struct ObjCounts {
   size_t lines = 0, vertices = 0, texcoords = 0, normals = 0, faces = 0;
 
@@ -23,15 +23,15 @@ struct ObjCounts {
   }
 };
 
-/// Whole lines of an OBJ file and what they say. Chunks are read on any thread in any order, as each knows the counts
-/// before it: indices come out as those of the file, places as its lines.
+/// Whole lines of an OBJ file and their contents. Chunks can be read on any thread in any order, as each knows the
+/// counts before it: indices and line numbers are those of the file.
 struct ObjChunk {
   std::string_view text;
-  ObjCounts before;  ///< what stands in the file before this chunk
+  ObjCounts before;  ///< the counts of the file before this chunk
 
-  // Of this chunk alone. Material 0 is the one that the chunk before ends with; `material_names` are of this chunk
-  // only and the last one named is `last_material`. Polygons of more than three corners are in `polygons`, their
-  // triangles only kept free.
+  // The mesh of this chunk alone. Material 0 is the one that the previous chunk ends with; `material_names` are those
+  // of this chunk, and the last one named is `last_material`. Polygons of more than three corners are in `polygons`;
+  // `data` has room for their triangles.
   MeshData data;
   uint32_t last_material = 0;
 
@@ -46,25 +46,25 @@ struct ObjChunk {
   std::vector<Polygon> polygons;
   std::vector<Corner> polygon_corners;
 
-  /// An index that points ahead, which is allowed as long as somebody follows.
+  /// An index that points ahead, which is allowed if such a vertex follows.
   struct Ahead {
     int32_t index = 0;
     uint32_t line = 0;
   };
-  Ahead farthest;  ///< of the positions, the first where several are
+  Ahead farthest;  ///< the largest position index; the first of several
   std::vector<Ahead> texcoords_ahead, normals_ahead;
   Tally unread_texcoords, bad_texcoords, bad_normals, small_faces, unknown;
 
-  std::exception_ptr failure;  ///< what reading ended with
+  std::exception_ptr failure;  ///< the error that ended reading
 };
 
 /// Counts the statements of `text`, as far as its lines can be read.
 ObjCounts count_statements(const std::filesystem::path& path, std::string_view text);
 
-/// Reads chunk.text into the rest of it. Checks every number and index: `v` has three numbers below 1e30; `vn` that
-/// cannot be read is zero, which the caller rebuilds, and so is a `vt`; `f` has corners v, v/vt, v//vn or v/vt/vn, v
-/// not 0 and not before the first vertex; a vt or vn that leads nowhere is left out. What is wrong ends in
-/// chunk.failure: Error (input) naming file and line.
+/// Reads chunk.text into the rest of it. Checks every number and index: `v` has three numbers below 1e30; an unreadable
+/// `vn` or `vt` becomes zero, and the caller rebuilds such normals; `f` has corners v, v/vt, v//vn or v/vt/vn, v not 0
+/// and not before the first vertex; a vt or vn out of range is left out. Errors end in chunk.failure: Error (input)
+/// naming file and line.
 void read_chunk(const std::filesystem::path& path, ObjChunk& chunk);
 
 }  // namespace hybridrt

@@ -14,9 +14,9 @@
 namespace hybridrt {
 namespace {
 
-constexpr size_t kChunksAThread = 2;  // read together: one may be slower than another
+constexpr size_t kChunksPerThread = 2;  // read together, as some are slower than others
 
-/// Consecutive pieces of whole lines, about as long as `bytes`.
+/// Consecutive chunks of whole lines, each about `bytes` long.
 std::vector<ObjChunk> cut_into_chunks(std::string_view text, size_t bytes) {
   std::vector<ObjChunk> chunks;
   while (!text.empty()) {
@@ -34,7 +34,7 @@ void add(Tally& sum, const Tally& part) {
   if (part.count > 0) sum.add(part.first_line, part.count);
 }
 
-/// Cuts the polygons whose corners are all known, and takes them off the list.
+/// Cuts the polygons whose corners are all known, and removes them from the list.
 void cut_polygons(ObjChunk& chunk, MeshData& data, Tally& tangled) {
   std::vector<dvec3> points;
   std::vector<uvec3> cuts;
@@ -55,7 +55,7 @@ void cut_polygons(ObjChunk& chunk, MeshData& data, Tally& tangled) {
   });
 }
 
-/// The chunks that were read so far, one behind the other.
+/// The chunks read so far, joined in order.
 class Joined {
  public:
   Joined(const std::filesystem::path& path, uint64_t file_bytes) : file_bytes_(file_bytes) {
@@ -64,7 +64,7 @@ class Joined {
   }
 
   void append(std::vector<ObjChunk>& chunks, ThreadPool& pool);
-  /// `counts`: of the whole file.
+  /// `counts`: the counts of the whole file.
   MeshData finish(const ObjCounts& counts, Warnings& warnings);
 
  private:
@@ -81,15 +81,15 @@ class Joined {
   MeshData data_;
   std::unordered_map<std::string, uint32_t> material_ids_;
   uint32_t material_ = 0;
-  std::vector<std::vector<uint32_t>> meanings_;  ///< of the chunks' materials
-  ObjChunk waiting_;                             ///< only its polygons: they name vertices that come later
+  std::vector<std::vector<uint32_t>> meanings_;  ///< per chunk: what its material numbers mean
+  ObjChunk waiting_;                             ///< only its polygons, which name vertices that come later
   ObjChunk::Ahead farthest_;
   std::vector<ObjChunk::Ahead> texcoords_ahead_, normals_ahead_;
   Tally unread_texcoords_, bad_texcoords_, bad_normals_, small_faces_, unknown_, tangled_;
 };
 
-/// Room for `more`, and at the first time for all that the rest of the file will bring if it goes on like this: memory
-/// that nobody touches costs nothing, and moving does.
+/// Makes room for `more`, and the first time for what the rest of the file will need if it goes on like this: untouched
+/// memory costs nothing, moving does.
 template <typename T>
 void Joined::make_room(std::vector<T>& all, size_t more) const {
   if (all.capacity() > 0 || bytes_ == 0) return;
@@ -115,12 +115,12 @@ void Joined::append_materials(const std::vector<ObjChunk>& chunks) {
     for (uint32_t material : chunks[i].data.triangle_materials) all.push_back(meanings_[i][material]);
 }
 
-/// Where a mesh has normals (texture coordinates) at all, each triangle has three indices.
+/// If a mesh has any normals (or texture coordinates), each triangle gets three indices.
 void Joined::append_optional_indices(const std::vector<ObjChunk>& chunks, std::vector<uvec3> MeshData::*array) {
   std::vector<uvec3>& all = data_.*array;
   const auto has_some = [&](const ObjChunk& chunk) { return !(chunk.data.*array).empty(); };
   if (all.empty() && std::none_of(chunks.begin(), chunks.end(), has_some)) return;
-  size_t triangles = data_.triangle_materials.size();  // before these chunks: nobody else appends them meanwhile
+  size_t triangles = data_.triangle_materials.size();  // before these chunks; nothing else appends meanwhile
   size_t more = 0;
   for (const ObjChunk& chunk : chunks) more += chunk.data.triangle_positions.size();
   make_room(all, more);
@@ -131,7 +131,7 @@ void Joined::append_optional_indices(const std::vector<ObjChunk>& chunks, std::v
   }
 }
 
-/// All of a chunk but its large arrays.
+/// Takes over everything of a chunk but its large arrays.
 void Joined::take_facts(ObjChunk& chunk) {
   std::vector<uint32_t>& meaning = meanings_.emplace_back(std::vector<uint32_t>{material_});
   for (size_t i = 1; i < chunk.data.material_names.size(); ++i) {
@@ -218,7 +218,7 @@ MeshData parse_obj(const std::filesystem::path& path, ThreadPool& pool, Warnings
   Joined joined(path, unknown ? 0 : file_bytes);
   ObjCounts counts;
   for (;;) {
-    const std::string_view text = blocks.next(chunk_bytes * kChunksAThread * static_cast<size_t>(pool.size()));
+    const std::string_view text = blocks.next(chunk_bytes * kChunksPerThread * static_cast<size_t>(pool.size()));
     if (text.empty()) break;
     std::vector<ObjChunk> chunks = cut_into_chunks(text, chunk_bytes);
     std::vector<ObjCounts> own(chunks.size());

@@ -10,9 +10,9 @@
 namespace hybridrt {
 namespace {
 
-constexpr double kMostCorners = 1 << 20;  // of one polygon
+constexpr double kMostCorners = 1 << 20;  // per polygon
 
-/// The statements of an OFF file: lines without comments and blank ones.
+/// The statements of an OFF file: its lines without comments and blank lines.
 class OffLines {
  public:
   OffLines(const std::filesystem::path& path, const MeshBuilder& mesh) : lines_(path, LineJoin::none), mesh_(mesh) {}
@@ -54,7 +54,7 @@ class OffLines {
   std::string_view rest_;
 };
 
-/// What the keyword says stands behind each position: [ST][C][N][4][n]OFF.
+/// What follows each position, by the keyword: [ST][C][N][4][n]OFF.
 struct OffKind {
   bool normals = false, colors = false, texture = false;
 };
@@ -80,9 +80,9 @@ MeshData read_off(const std::filesystem::path& path, Warnings& warnings) {
   const OffKind kind = parse_keyword(mesh, lines.word(), lines.place());
   if (lines.next_word_is("BINARY")) mesh.fail(lines.place(), "binary OFF is not read; write it as text");
   if (lines.done()) lines.next("the counts");
-  const auto most = static_cast<double>(std::filesystem::file_size(path));  // a line each
+  const auto most = static_cast<double>(std::filesystem::file_size(path));  // one line each
   const size_t vertices = lines.count(most), faces = lines.count(most);
-  if (!lines.done()) lines.number();  // of edges, which nobody fills in right
+  if (!lines.done()) lines.number();  // the number of edges, which is rarely right
 
   Tally colors;
   for (size_t i = 0; i < vertices; ++i) {

@@ -7,12 +7,12 @@
 
 namespace hybridrt {
 
-// As the other mesh readers here: numbers are read in double, every one of them and every index is checked, and memory
-// is bounded by what the file really holds, whatever its header promises. Throws Error (input) naming the file and the
-// line or element: missing, a directory, not of the format, cut short, a coordinate that is none or not below 1e30, an
-// index that is not a vertex.
+// As in the other mesh readers, numbers are read in double, every number and index is checked, and memory is bounded by
+// what the file holds, whatever its header promises. Throws Error (input), naming the file and the line or element, if
+// the file is missing, a directory, not of the format or cut short, for a coordinate that is not a number below 1e30,
+// and for an index without a vertex.
 
-/// Text: polygons are cut, vertex normals kept, colours left out with a warning.
+/// Text. Polygons are cut into triangles, vertex normals kept, colours left out with a warning.
 MeshData read_off(const std::filesystem::path& path, Warnings& warnings);
 
 }  // namespace hybridrt

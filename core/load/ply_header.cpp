@@ -34,7 +34,7 @@ struct HeaderText {
     throw error(ErrorKind::input, "{}:{}: {}", path.string(), line, problem);
   }
 
-  /// Lines end in LF, CRLF or CR, all in the same.
+  /// Lines end in LF, CRLF or CR, all alike.
   std::string_view next() {
     ++line;
     const size_t stop = rest.find_first_of("\r\n");
@@ -77,7 +77,7 @@ PlyProperty parse_property(const HeaderText& header, std::string_view rest) {
   return property;
 }
 
-/// The least that an element can take: as text a digit and a blank for each number.
+/// The fewest bytes that an element can take: as text a digit and a blank per number.
 uint64_t least_bytes(const PlyElement& element, PlyFormat format) {
   uint64_t bytes = 0;
   for (const PlyProperty& property : element.properties)
@@ -86,7 +86,7 @@ uint64_t least_bytes(const PlyElement& element, PlyFormat format) {
 }
 
 void require_room(const std::filesystem::path& path, const PlyHeader& header, uint64_t file_bytes) {
-  uint64_t left = file_bytes - header.bytes + 1;  // the last number as text needs no blank
+  uint64_t left = file_bytes - header.bytes + 1;  // as text the last number needs no blank
   for (const PlyElement& element : header.elements) {
     const uint64_t least = least_bytes(element, header.format);
     if (element.count > left / least)

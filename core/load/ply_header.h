@@ -14,7 +14,7 @@ struct PlyProperty {
   std::string name;
   PlyType type;
   bool is_list = false;
-  PlyType count_type = PlyType::uint8;  ///< of a list
+  PlyType count_type = PlyType::uint8;  ///< the type of a list's length
 };
 
 struct PlyElement {
@@ -22,7 +22,7 @@ struct PlyElement {
   uint64_t count = 0;
   std::vector<PlyProperty> properties;  ///< at least one
 
-  /// The place of the property with this name, or -1.
+  /// The index of the property with this name, or -1.
   int find(std::string_view property) const;
 };
 
@@ -31,12 +31,12 @@ enum class PlyFormat { ascii, little_endian, big_endian };
 struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;  ///< in the file's order
-  size_t bytes = 0, lines = 0;       ///< of the header, up to and with the end_header line
+  size_t bytes = 0, lines = 0;       ///< size of the header, including the end_header line
 };
 
-/// Reads the header and holds its counts against the file's size: what it promises fits, so that memory
-/// reserved for it is bounded by the file. Throws Error (input) naming file and line: missing, a directory,
-/// not PLY, a format or type that is none, more than is there.
+/// Reads the header and checks its counts against the file's size, so that memory reserved for them is bounded by the
+/// file. Throws Error (input), naming file and line, if the file is missing, a directory or not PLY, for an unknown
+/// format or type, and for more elements than the file has room for.
 PlyHeader read_ply_header(const std::filesystem::path& path);
 
 }  // namespace hybridrt

@@ -13,7 +13,7 @@ constexpr double kMostListed = 1 << 20;  // corners of one polygon, numbers of a
 
 bool is_color(std::string_view property) { return property == "red" || property == "r" || property == "diffuse_red"; }
 
-/// The length of the list that comes next.
+/// Reads the length of the next list.
 template <typename Values>
 size_t list_length(Values& values, const PlyProperty& property, const MeshBuilder& mesh, uint64_t index) {
   const double count = values.next(property.count_type);

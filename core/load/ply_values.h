@@ -17,7 +17,7 @@
 
 namespace hybridrt {
 
-/// "nan", "-inf", "Infinity", "1.#QNAN".
+/// Whether a word means a number that is not finite: "nan", "-inf", "Infinity", "1.#QNAN".
 inline bool says_not_finite(std::string_view word) {
   while (!word.empty() && (word.front() == '-' || word.front() == '+')) word.remove_prefix(1);
   const auto is = [&](std::string_view name) {
@@ -28,7 +28,7 @@ inline bool says_not_finite(std::string_view word) {
   return is("nan") || is("inf") || is("1.#");
 }
 
-/// The numbers of a PLY file written as text: one element a line.
+/// The numbers of a PLY file written as text: one element per line.
 class PlyTextValues {
  public:
   PlyTextValues(const std::filesystem::path& path, const PlyHeader& header) : lines_(path, LineJoin::none) {
@@ -46,7 +46,7 @@ class PlyTextValues {
                 index + 1, element.count);
   }
 
-  /// NaN for a word that says so or infinity; any other word that is no number throws.
+  /// NaN for a word that means NaN or infinity; any other word that is not a number throws.
   double next(PlyType) {
     const std::string_view word = take_word(rest_);
     if (const std::optional<double> number = parse_number(word)) return *number;
@@ -56,7 +56,7 @@ class PlyTextValues {
                              : in_quotes(word) + " is not a usable number");
   }
 
-  /// Refuses lists that cannot be there.
+  /// Throws for lists that the line has no room for.
   void require(uint64_t count, PlyType) const {
     if (count > rest_.size())
       throw error(ErrorKind::input, "{}:{}: a list of {} numbers does not fit the line", lines_.path().string(),
@@ -70,7 +70,7 @@ class PlyTextValues {
   std::string_view rest_;
 };
 
-/// The same of a binary file, read in blocks.
+/// The numbers of a binary PLY file, read in blocks.
 class PlyBinaryValues {
  public:
   PlyBinaryValues(const std::filesystem::path& path, const PlyHeader& header)

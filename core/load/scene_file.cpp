@@ -39,7 +39,7 @@ UpAxis parse_up_axis(const JsonPlace& place) {
   return *axis;
 }
 
-/// Linear, three numbers or one for three equal ones.
+/// A linear colour: three numbers, or one for three equal ones.
 vec3 parse_color(const JsonPlace& place) {
   const dvec3 color = place.value().is_number() ? dvec3(place.number()) : place.vector();
   for (int i = 0; i < 3; ++i)
@@ -67,7 +67,7 @@ std::vector<DirectionalLight> parse_lights(const JsonPlace& place) {
   return lights;
 }
 
-/// A setting as the command line would have it.
+/// A setting as it would be written on the command line.
 std::string setting_text(const JsonPlace& place) {
   const nlohmann::json& value = place.value();
   if (value.is_string()) return value.get<std::string>();

@@ -21,7 +21,7 @@ void write_scene_json(const std::filesystem::path& path_json, const std::string&
   json["meshes"] = {mesh};
   if (shot.camera) {
     const Camera& camera = *shot.camera;
-    // To a millionth of a degree: 38 degrees made radians come back as 38.
+    // To a millionth of a degree: 38 degrees converted to radians come back as 38.
     const double fov_y_deg = std::round(camera.fov_y_rad * 180 / kPi * 1e6) / 1e6;
     json["camera"] = {{"eye", numbers(camera.eye_world)},
                       {"target", numbers(camera.target_world)},

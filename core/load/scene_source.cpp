@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "scene:";
 
-/// Takes what stands before the next comma off `rest`.
+/// Takes the part before the next comma off `rest`.
 std::string_view take_part(std::string_view& rest) {
   const size_t comma = std::min(rest.find(','), rest.size());
   const std::string_view part = rest.substr(0, comma);
@@ -28,7 +28,7 @@ double parse_value(const std::string& argument, std::string_view key, std::strin
   return *number;
 }
 
-/// `key=value` into `options`.
+/// Reads `key=value` into `options`.
 void parse_option(const std::string& argument, std::string_view part, ProceduralOptions& options) {
   const size_t equals = part.find('=');
   const std::string_view key = part.substr(0, equals);

@@ -18,8 +18,8 @@
 
 namespace hybridrt {
 
-/// What a command's SCENE argument means, its meshes not yet read: what the scene is made of, and how it wants to be
-/// seen. What it does not say is left empty and is the command line's to decide. Numbers are in the axes of the files.
+/// What a command's SCENE argument means before meshes are read: what the scene is made of, and how it should be seen.
+/// What it does not say is empty and left to the command line. Numbers are in the axes of the files.
 struct SceneSource {
   std::string argument;  ///< as given, for messages
 
@@ -30,27 +30,27 @@ struct SceneSource {
   std::optional<UpAxis> up_axis;
   std::optional<std::vector<DirectionalLight>> lights;  ///< `toward` unit, at most HRT_MAX_LIGHTS; may be none
   std::optional<vec3> ambient, background;
-  /// Render options by the names of the command line, without dashes, and their values as text; "true" where a flag is
-  /// set. Their names are not checked here.
+  /// Render options by their names on the command line, without dashes, and their values as text; "true" for a flag
+  /// that is set. Their names are not checked here.
   std::vector<std::pair<std::string, std::string>> settings;
 
   std::optional<CameraCourse> shot;                ///< how a procedural scene is best looked at
-  std::shared_ptr<const nlohmann::json> document;  ///< of a scene JSON, for camera_of()
+  std::shared_ptr<const nlohmann::json> document;  ///< the parsed scene JSON, for camera_of()
 };
 
 /// `argument`: the path of a mesh file or of a scene JSON (scene_file.h), or a procedural scene (procedural.h):
-/// `scene:chess`, say, with `,triangles=N` and `,reflective=P` behind it. A scene JSON is read and parsed here and
-/// nowhere else. Throws Error: usage for an unknown scene name, key or value, naming what is allowed; input for a file
-/// that is missing or of a kind we do not read, and whatever read_scene_file() throws.
+/// `scene:chess`, say, optionally followed by `,triangles=N` and `,reflective=P`. A scene JSON is read and parsed here
+/// and nowhere else. Throws Error (usage) for an unknown scene name, key or value, naming what is allowed; Error
+/// (input) for a file that is missing or of a kind that we do not read; and as read_scene_file() does.
 SceneSource parse_scene_source(const std::string& argument);
 
-/// The camera that the scene brings, if it has one. `up` is the axis that points up in its files, the command line's
-/// word taken in. Throws Error (input) as parse_camera() and read_camera_file().
+/// The scene's own camera, if it has one. `up` is the axis that points up in its files, after the command line's
+/// option. Throws Error (input) as parse_camera() and read_camera_file() do.
 std::optional<CameraCourse> camera_of(const SceneSource& source, UpAxis up, Warnings& warnings);
 
-/// Reads the meshes (load_meshes) or makes the scene. `up_axis` replaces what the source says; procedural scenes have y
-/// up and take no other (Error, usage). A scene that would take more than watch.most_bytes of memory is refused (Error,
-/// input) before it is read or made.
+/// Reads the meshes (load_meshes) or makes the scene. `up_axis` replaces the source's. Throws Error (usage) for a
+/// procedural scene with an up axis other than y, and Error (input), before reading or making anything, for a scene
+/// that would take more than watch.most_bytes of memory.
 Scene load_scene(const SceneSource& source, std::optional<UpAxis> up_axis, ThreadPool& pool, Warnings& warnings,
                  const LoadWatch& watch = {});
 

@@ -25,7 +25,7 @@ T little_endian(const char* bytes) {
   return std::bit_cast<T>(copy);
 }
 
-/// The corners added since `first` make a facet.
+/// Makes a facet of the corners added since `first`.
 void close_facet(MeshBuilder& mesh, size_t first, size_t place) {
   std::vector<uint32_t> corners;
   for (size_t i = first; i < mesh.data.positions.size(); ++i) corners.push_back(static_cast<uint32_t>(i));
@@ -80,7 +80,7 @@ MeshData read_text(const std::filesystem::path& path, Warnings& warnings) {
         if (inside) mesh.fail(facet_line, "this facet has no 'endfacet'");
         inside = true, facet_line = lines.line_number(), first = mesh.data.positions.size();
       } else if (keyword == "normal") {
-        for (int i = 0; i < 3; ++i) take_word(rest);  // repeats the geometry, and is often nonsense
+        for (int i = 0; i < 3; ++i) take_word(rest);  // the normal repeats the geometry, and is often nonsense
       } else if (keyword == "vertex") {
         const double x = number(rest), y = number(rest), z = number(rest);
         if (!inside) mesh.fail(lines.line_number(), "a vertex outside of any facet");

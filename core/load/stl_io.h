@@ -7,10 +7,9 @@
 
 namespace hybridrt {
 
-// As the other mesh readers here: numbers are read in double, every one of them and every index is checked, and memory
-// is bounded by what the file really holds, whatever its header promises. Throws Error (input) naming the file and the
-// line or element: missing, a directory, not of the format, cut short, a coordinate that is none or not below 1e30, an
-// index that is not a vertex.
+// As in the other mesh readers, numbers are read in double, every number is checked, and memory is bounded by what the
+// file holds, whatever its header promises. Throws Error (input), naming the file and the line or facet, if the file is
+// missing, a directory, not of the format or cut short, and for a coordinate that is not a number below 1e30.
 
 /// Text or binary. Facet normals only repeat the geometry and are ignored; there are three vertices per facet.
 MeshData read_stl(const std::filesystem::path& path, Warnings& warnings);

@@ -15,7 +15,7 @@ bool ends_line(std::string_view text, size_t at, bool more) {
   return text[at - 1] == '\r' && (at < text.size() ? text[at] != '\n' : !more);
 }
 
-/// The last line before text[end], which is behind a line's end; without that end.
+/// The last line before text[end], without its end; text[end] must begin a line.
 std::string_view line_before(std::string_view text, size_t end) {
   size_t stop = end - 1;
   if (text[stop] == '\n' && stop > 0 && text[stop - 1] == '\r') --stop;
@@ -50,7 +50,7 @@ TextBlocks::TextBlocks(const std::filesystem::path& path, LineJoin join)
                 std::strerror(errno));
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // we read whole blocks
   const uintmax_t file_bytes = std::filesystem::file_size(path, ignored);
-  if (!ignored) most_at_first_ = std::max<uintmax_t>(file_bytes + 1, 4096);  // a pipe says nothing
+  if (!ignored) most_at_first_ = std::max<uintmax_t>(file_bytes + 1, 4096);  // a pipe has no size
 }
 
 std::string_view TextBlocks::next(size_t bytes) {
@@ -60,14 +60,14 @@ std::string_view TextBlocks::next(size_t bytes) {
     size_t whole = at_end_ ? text.size() : whole_lines(text, join_, true);
     if (whole == 0 && !at_end_) {
       if (text.size() <= 2 * kLongestLine + 2) continue;
-      whole = text.size();  // whoever reads its lines will refuse the first
+      whole = text.size();  // the reader of lines will refuse the first
     }
     begin_ += whole;
     return text.substr(0, whole);
   }
 }
 
-/// Moves what is unread to the front and reads behind it until it is `bytes` long or the file ends.
+/// Moves the unread text to the front and appends to it until it is `bytes` long or the file ends.
 void TextBlocks::read_up_to(size_t bytes) {
   const size_t unread = end_ - begin_;
   if (capacity_ < bytes) {

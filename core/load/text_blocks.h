@@ -22,20 +22,20 @@ inline constexpr size_t kLongestLine = size_t{8} << 20;
 /// Whether a line, without its end, goes on in the next one.
 bool continues(std::string_view line);
 
-/// How much of `text` is whole lines, joined ones whole too: up to the last of their ends. `more` is whether other
-/// text follows, which the byte behind a lone carriage return depends on.
+/// The length of the whole lines that `text` begins with; joined lines are not cut. `more`: whether other text follows,
+/// since a carriage return at the end may be half of a CRLF.
 size_t whole_lines(std::string_view text, LineJoin join, bool more);
 
-/// Reads text in blocks of whole lines. Ends of line may be LF, CRLF or a lone CR; a UTF-8 byte-order mark is dropped;
-/// the last line needs no end. A line that is too long may come cut: it is longer than kLongestLine all the same.
+/// Reads text in blocks of whole lines. Line ends may be LF, CRLF or a lone CR; a UTF-8 byte-order mark is dropped; the
+/// last line needs no end. A line that is too long may be cut, but is still longer than kLongestLine.
 ///
-/// Throws Error (input) for a file that cannot be opened or read, a directory, UTF-16.
+/// Throws Error (input) for a file that cannot be opened or read, a directory, and UTF-16.
 class TextBlocks {
  public:
   TextBlocks(const std::filesystem::path& path, LineJoin join);
 
-  /// About `bytes` of text, fewer at the end of the file, more where a line is longer; empty when there is no more.
-  /// Lives until the next call.
+  /// About `bytes` of text: fewer at the end of the file, more where a line is longer, none when it has all been read.
+  /// Valid until the next call.
   std::string_view next(size_t bytes);
 
   const std::filesystem::path& path() const { return path_; }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr size_t kBlock = size_t{1} << 20;
 
-/// Where the byte is, or the end.
+/// The first such byte, or the end.
 const char* find_byte(std::string_view text, char byte) {
   const void* found = text.empty() ? nullptr : std::memchr(text.data(), byte, text.size());
   return found ? static_cast<const char*>(found) : text.data() + text.size();

@@ -8,8 +8,8 @@
 
 namespace hybridrt {
 
-/// The lines of text that begins and ends with one (TextBlocks), joined where they go on in the next one, without
-/// their ends. A line lives until the next one is read.
+/// The lines of a text of whole lines (TextBlocks), without their ends, joined where they continue. A line is valid
+/// until the next one is read.
 ///
 /// Throws Error (input), naming file and line, for a NUL byte and a line longer than kLongestLine.
 class LineScanner {
@@ -20,11 +20,11 @@ class LineScanner {
   /// False at the end of the text.
   bool next(std::string_view& line);
 
-  /// Of the line that next() gave last (of its first part when it was joined), counted from 1.
+  /// The number of the line that next() gave last (of its first part if it was joined), counted from 1.
   size_t line_number() const { return line_number_; }
-  /// Lines read so far, the parts of joined ones too, and those before the text.
+  /// Lines read so far, counting each part of joined ones, and those before the text.
   size_t lines() const { return parts_; }
-  /// Whether the text ended before that line did: a last line like that may be a torso.
+  /// Whether that line had no end: then the file may be cut short.
   bool unfinished() const { return unfinished_; }
 
  private:

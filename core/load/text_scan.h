@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-// Small pieces for reading OBJ and MTL statements. Nothing here looks at the locale.
+// Helpers for reading OBJ and MTL statements. Nothing here depends on the locale.
 
 namespace hybridrt {
 
@@ -29,7 +29,7 @@ inline std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-/// The whole of `word` as a finite number, or nothing. A leading plus sign is fine.
+/// The whole of `word` as a finite number, or nothing. A leading plus sign is allowed.
 inline std::optional<double> parse_number(std::string_view word) {
   if (word.starts_with('+')) {
     word.remove_prefix(1);

@@ -16,7 +16,7 @@ const std::map<std::string_view, int> kOptions = {
 
 constexpr float kLargestNumber = 1e6f;
 
-/// Sets what an option with these values says, if it is one of those that we read.
+/// Applies an option with these values, if it is one that we read.
 void apply_option(std::string_view option, const std::vector<std::string_view>& values, TextureMap& map) {
   const auto number = [&](size_t i, float& to) {
     if (i >= values.size()) return;
@@ -58,7 +58,7 @@ TextureStatement read_texture_statement(std::string_view statement) {
   take_options(statement, read.map);
   statement = trimmed(statement);
   size_t end = statement.size();
-  for (std::string_view rest = statement; !rest.empty();) {  // up to the first option behind the name
+  for (std::string_view rest = statement; !rest.empty();) {  // up to the first option after the name
     std::string_view options = rest;
     const std::string_view word = take_word(rest);
     if (word.data() != statement.data() && kOptions.contains(word)) {

@@ -8,15 +8,15 @@
 
 namespace hybridrt {
 
-/// What follows map_Kd and its like.
+/// What follows map_Kd and the other map statements.
 struct TextureStatement {
-  std::string name;  ///< blanks inside stay; empty where there is none
-  TextureMap map;    ///< by its options; kind and path are the caller's
+  std::string name;  ///< may hold blanks; empty where there is none
+  TextureMap map;    ///< as its options say; the caller fills in kind and path
 };
 
-/// Options stand in front of the name or behind it. Read are -s, -o, -clamp, -mm and -imfchan; -blendu, -blendv, -bm,
-/// -boost, -cc, -t, -texres and -type are passed over with their values. Options whose values are no numbers change
-/// nothing; factors and offsets are kept below a million.
+/// Options may come before or after the name. -s, -o, -clamp, -mm and -imfchan are read; -blendu, -blendv, -bm, -boost,
+/// -cc, -t, -texres and -type are skipped with their values. Options whose values are not numbers change nothing;
+/// factors and offsets are kept below a million.
 TextureStatement read_texture_statement(std::string_view statement);
 
 /// Where a texture was looked for.
@@ -26,7 +26,7 @@ struct TextureFile {
                                ///< was looked for, beside the MTL
 };
 
-/// Never outside of `folder`, in which the MTL lies. Backslashes divide folders like slashes do.
+/// Never outside `folder`, which holds the MTL. Backslashes separate folders as slashes do.
 TextureFile find_texture(const std::filesystem::path& folder, std::string name);
 
 }  // namespace hybridrt

@@ -13,8 +13,8 @@ constexpr size_t kGrain = 1 << 13;        // vertices
 constexpr uint32_t kLocal = 0x80000000u;  // marks an index into a chunk's own normals; kNoNormal has it too
 const double kCosCrease = std::sqrt(0.5);
 
-/// The corners (3 * triangle + corner) at each welded vertex, in the triangles' order:
-/// corners[starts[v] .. starts[v + 1]).
+/// The corners (3 * triangle + corner) at each welded vertex, in the order of the triangles: corners[starts[v] ..
+/// starts[v + 1]).
 struct CornersOfVertices {
   std::vector<uint32_t> starts, corners;
 };
@@ -36,7 +36,7 @@ CornersOfVertices corners_of_vertices(const Scene& scene, ThreadPool& pool) {
 
 struct FaceAtVertex {
   dvec3 normal;      ///< unit
-  double angle_rad;  ///< of the face at the vertex
+  double angle_rad;  ///< the face's angle at the vertex
 };
 
 FaceAtVertex face_at_vertex(const Scene& scene, uint32_t corner) {
@@ -48,13 +48,13 @@ FaceAtVertex face_at_vertex(const Scene& scene, uint32_t corner) {
   const dvec3 cross = glm::cross(a, b);
   const double length = glm::length(cross);
   if (length > 0) return {cross / length, std::atan2(length, glm::dot(a, b))};
-  // A needle, seen from its far end: one edge is lost in the rounding of the other two. Its loader's test for
-  // area looks from the first corner.
+  // A needle seen from its far end: rounding of two edges swallows the third. The loader's test for area starts from
+  // the first corner.
   const dvec3 first(scene.vertex(t, 0));
   return {glm::normalize(glm::cross(dvec3(scene.vertex(t, 1)) - first, dvec3(scene.vertex(t, 2)) - first)), 0};
 }
 
-/// The normals of one vertex: writes those that are missing, as local indices into `normals`.
+/// Writes the missing normals of one vertex, as local indices into `normals`.
 void build_at_vertex(Scene& scene, std::span<const uint32_t> corners, std::vector<FaceAtVertex>& faces,
                      std::vector<vec3>& normals) {
   const auto slot = [&](uint32_t corner) -> uint32_t& { return scene.triangle_normals[corner / 3][corner % 3]; };
@@ -72,8 +72,8 @@ void build_at_vertex(Scene& scene, std::span<const uint32_t> corners, std::vecto
     } else {
       sum = faces[i].normal;
     }
-    // Corners that average the same faces do so in the same order, and get the same bits. In large fans only
-    // the latest normals are compared, or it would be quadratic after all.
+    // Corners that average the same faces do so in the same order, and get the same bits. In large fans only the latest
+    // normals are compared, which keeps the time linear.
     const vec3 normal(sum != dvec3(0) ? glm::normalize(sum) : faces[i].normal);
     const size_t from = std::max(first_own, normals.size() > kMostFaces ? normals.size() - kMostFaces : 0);
     const auto same = std::find(normals.begin() + from, normals.end(), normal);
@@ -102,7 +102,7 @@ void rebuild_missing_normals(Scene& scene, ThreadPool& pool) {
                       faces, chunk_normals[begin / kGrain]);
   });
 
-  // The chunks' normals one behind the other, in the order of the vertices.
+  // Joins the chunks' normals, in the order of the vertices.
   std::vector<size_t> base(chunks);
   size_t total = scene.normals.size();
   for (size_t chunk = 0; chunk < chunks; ++chunk) base[chunk] = total, total += chunk_normals[chunk].size();

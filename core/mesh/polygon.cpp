@@ -6,7 +6,7 @@
 namespace hybridrt {
 namespace {
 
-/// How long to look for ears in a polygon of n corners before taking it for one that crosses itself.
+/// How many steps to look for ears in a polygon of n corners before giving up: it must cross itself.
 size_t most_steps_for(size_t n) { return 100'000 + std::min<size_t>(1000 * n, 100'000'000) + 50 * n; }
 
 /// Twice the signed area of abc.
@@ -14,12 +14,12 @@ double cross2(dvec2 a, dvec2 b, dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b
 
 dvec3 newell_normal(std::span<const dvec3> corners) {
   dvec3 normal(0);
-  for (size_t i = 0; i < corners.size(); ++i)  // relative to one corner, or far polygons lose their digits
+  for (size_t i = 0; i < corners.size(); ++i)  // relative to one corner, to keep digits far from the origin
     normal += glm::cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
   return normal;
 }
 
-/// Corners on the plane of two axes, counter-clockwise.
+/// The corners projected along an axis, counter-clockwise.
 std::vector<dvec2> flattened(std::span<const dvec3> corners) {
   const dvec3 normal = newell_normal(corners);
   const dvec3 size = glm::abs(normal);
@@ -48,8 +48,8 @@ class CornerGrid {
     for (uint32_t member : members) members_[next[cell(points[member])]++] = member;
   }
 
-  /// `visit(member)` for those in the cells that triangle abc touches, until one returns true. Counts
-  /// `steps`. Row by row, as ears may be long slivers whose box holds everything.
+  /// Calls `visit(member)` for those in the cells that triangle abc touches, until one returns true. Counts `steps`.
+  /// Goes row by row, as an ear may be a long sliver whose box holds everything.
   template <typename Visit>
   bool any(dvec2 a, dvec2 b, dvec2 c, size_t& steps, const Visit& visit) const {
     const std::array<dvec2, 4> corners = {in_cells(a), in_cells(b), in_cells(c), in_cells(a)};
@@ -76,7 +76,7 @@ class CornerGrid {
     const dvec2 cells = in_cells(p);
     return static_cast<size_t>(clamped(cells.y)) * side_ + clamped(cells.x);
   }
-  /// Grows [left, right] to the part of p-q that lies in the row. The last row has its upper edge in it.
+  /// Grows [left, right] by the part of p-q that lies in the row. The last row includes its upper edge.
   void widen(dvec2 p, dvec2 q, int row, double& left, double& right) const {
     if (p.y > q.y) std::swap(p, q);
     const double bottom = row, top = row == side_ - 1 ? side_ + 1 : row + 1;
@@ -92,11 +92,11 @@ class CornerGrid {
   std::vector<uint32_t> starts_, members_;
 };
 
-/// The corners that are left, as a ring.
+/// The remaining corners, as a ring.
 struct Ring {
   std::vector<dvec2> points;
   std::vector<uint32_t> previous, next;
-  std::vector<uint32_t> in_the_way;  ///< of cutting a corner off, when last tried; at first itself
+  std::vector<uint32_t> in_the_way;  ///< what kept a corner from being cut off when last tried; at first itself
   std::vector<char> convex, alive;   ///< convex: turns strictly left
 
   explicit Ring(std::vector<dvec2> flat) : points(std::move(flat)) {
@@ -117,9 +117,9 @@ struct Ring {
   }
 };
 
-/// Whether corner `b` can be cut off: no other corner lies in its triangle. Only corners that were not
-/// convex at the start can (and `grid` holds those); corners in the same place as one of the ear's do not
-/// count, as polygons with a hole run along the same edge twice.
+/// Whether corner `b` can be cut off: no other corner lies in its triangle. Only corners that were not convex at the
+/// start can (and `grid` holds those); corners in the same place as one of the ear's do not count, as polygons with a
+/// hole run twice along one edge.
 bool is_ear(Ring& ring, const CornerGrid& grid, uint32_t b, size_t& steps) {
   if (!ring.convex[b]) return false;
   const uint32_t a = ring.previous[b], c = ring.next[b];
@@ -130,7 +130,7 @@ bool is_ear(Ring& ring, const CornerGrid& grid, uint32_t b, size_t& steps) {
     if (p == pa || p == pb || p == pc) return false;
     return cross2(pa, pb, p) >= 0 && cross2(pb, pc, p) >= 0 && cross2(pc, pa, p) >= 0;
   };
-  if (inside(ring.in_the_way[b])) return false;  // what was in the way the last time mostly still is
+  if (inside(ring.in_the_way[b])) return false;  // mostly the same as last time
   return !grid.any(pa, pb, pc, steps, [&](uint32_t other) {
     if (!inside(other)) return false;
     ring.in_the_way[b] = other;
@@ -149,8 +149,8 @@ bool clip_ears(std::span<const dvec3> corners, std::vector<uvec3>& triangles) {
     if (!ring.convex[i]) hollow.push_back(i);
   const CornerGrid grid(ring.points, hollow);
 
-  // In rounds over the convex corners. The neighbours of a corner that was cut off wait for the next round,
-  // or a round polygon would become a fan of slivers.
+  // In rounds over the convex corners. The neighbours of a cut corner wait for the next round, or a round polygon would
+  // become a fan of slivers.
   const size_t most_steps = most_steps_for(corners.size());
   size_t steps = 0, left = corners.size();
   std::vector<uint32_t> candidates, later;
@@ -200,9 +200,9 @@ bool clip_ears(std::span<const dvec3> corners, std::vector<uvec3>& triangles) {
   return clean;
 }
 
-/// How good the cut a-c is: a point for each of abc, acd that has an area, one if they face the same way.
-/// One so flat that float coordinates may make it vanish has none: a quad with a straight corner has a
-/// better cut.
+/// How good the cut a-c is: a point for each of abc, acd that has an area, one if they face the same way. A triangle so
+/// flat that float coordinates may make it vanish counts as having none: a quad with a straight corner has a better
+/// cut.
 int cut_score(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
   constexpr double kFlat = 1e-6;  // sine of the angle at a
   const dvec3 ab = b - a, ac = c - a, ad = d - a;

@@ -12,11 +12,11 @@ namespace hybridrt {
 namespace {
 
 constexpr size_t kGrain = 1 << 14;
-constexpr double kNoVolume = 1e-12;  // of the sum of all parts, whatever their sign
+constexpr double kNoVolume = 1e-12;  // as a share of the sum of all parts' absolute values
 
-/// Disjoint sets that threads may unite together. A link always leads to a smaller number, so that in the end
-/// each set's root is its smallest member, whoever came first.
-/// Source: Anderson and Woll, Wait-free Parallel Algorithms for the Union-Find Problem, 1991.
+/// Disjoint sets that threads may unite concurrently. A link always leads to a smaller number, so that in the end each
+/// set's root is its smallest member, whatever the order. Source: Anderson and Woll, Wait-free Parallel Algorithms for
+/// the Union-Find Problem, 1991.
 class Sets {
  public:
   Sets(std::vector<uint32_t>& parents) : parents_(parents) {}
@@ -26,7 +26,7 @@ class Sets {
       uint32_t parent = at(member).load(std::memory_order_relaxed);
       if (parent == member) return member;
       const uint32_t grandparent = at(parent).load(std::memory_order_relaxed);
-      if (grandparent != parent)  // halve the way for whoever comes next
+      if (grandparent != parent)  // path halving
         at(member).compare_exchange_weak(parent, grandparent, std::memory_order_relaxed);
       member = grandparent;
     }
@@ -92,7 +92,7 @@ void number_components(Topology& topology, std::span<const uvec3> triangles) {
       component.first_triangle = i;
       component.degenerate = is_degenerate(triangles[i]);
     } else {
-      of[i] = of[of[i]];  // the root comes first and is a number already
+      of[i] = of[of[i]];  // the root comes first and already has its number
     }
     ++topology.components[of[i]].triangles;
   }
@@ -110,7 +110,7 @@ void count_irregular_edges(Topology& topology, std::span<const uint32_t> irregul
   }
 }
 
-/// Six times the volume, as the sum of tetrahedra over the triangles; `size` sums them without their sign.
+/// Six times the volume, as the sum of tetrahedra over the triangles; `size` sums their absolute values.
 struct SignedVolume {
   double value = 0, size = 0;
 };

@@ -40,7 +40,7 @@ void for_each_side(std::span<const uvec3> triangles, size_t begin, size_t end, c
 struct SidesOfVertices {
   std::vector<uint32_t> starts;
   std::vector<uint64_t> sides;
-  std::vector<uint32_t> edges_of_chunk;  ///< number of different edges in each kVertexGrain vertices
+  std::vector<uint32_t> edges_of_chunk;  ///< number of distinct edges per kVertexGrain vertices
 };
 
 SidesOfVertices sorted_sides(std::span<const uvec3> triangles, size_t vertices, ThreadPool& pool) {
@@ -54,8 +54,8 @@ SidesOfVertices sorted_sides(std::span<const uvec3> triangles, size_t vertices, 
   });
   for (size_t v = 2; v < starts.size(); ++v) starts[v] += starts[v - 1];
 
-  // Threads drop sides in any order; sorting each vertex's few then makes the order one. starts[v + 1] is the
-  // next free place of v, and in the end the first of v + 1.
+  // Threads store sides in any order; sorting each vertex's few sides makes the order unique. starts[v + 1] is the next
+  // free place of v, and in the end the first place of v + 1.
   result.sides.resize(starts.back());
   parallel_for(pool, triangles.size(), kTriangleGrain, [&](size_t begin, size_t end) {
     for_each_side(triangles, begin, end, [&](uint32_t smaller, uint64_t side) {
@@ -84,7 +84,7 @@ void build_edges(std::span<const uvec3> triangles, size_t vertices, ThreadPool& 
   HRT_CHECK(triangles.size() <= size_t{1} << 30);  // three uses each in 32 bits
   const SidesOfVertices sorted = sorted_sides(triangles, vertices, pool);
 
-  std::vector<uint32_t> first_edge;  // of each chunk
+  std::vector<uint32_t> first_edge;  // per chunk, the number of its first edge
   uint32_t edges = 0;
   for (uint32_t count : sorted.edges_of_chunk) first_edge.push_back(edges), edges += count;
   topology.edges.resize(edges);

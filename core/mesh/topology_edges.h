@@ -7,7 +7,7 @@
 
 namespace hybridrt {
 
-/// Whether welding left a triangle fewer than three corners.
+/// Whether welding left a triangle with fewer than three corners.
 inline bool is_degenerate(const uvec3& welded) {
   return welded.x == welded.y || welded.y == welded.z || welded.z == welded.x;
 }

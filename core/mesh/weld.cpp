@@ -25,8 +25,8 @@ uint64_t hash_of(const vec3& p) {
 
 std::vector<uint32_t> weld_positions(std::span<const vec3> positions, ThreadPool& pool) {
   HRT_CHECK(positions.size() < (size_t{1} << 31));
-  // Open addressing with linear probing, at most half full. A slot once taken stays with one position, and
-  // only the index that speaks for it may fall, so threads can fill the table together.
+  // Open addressing with linear probing, load factor at most 1/2. A slot once taken keeps its position, and the index
+  // in it only decreases, so threads can fill the table concurrently.
   const size_t slots = std::bit_ceil(2 * positions.size() + 1);
   std::vector<uint32_t> table(slots, kEmpty);
   std::vector<uint32_t> representative(positions.size());  // the slot, until all are in

@@ -29,7 +29,7 @@ LightFrame fit_light_frame(const Scene& scene, const dvec3& toward) {
       frame.lo = glm::min(frame.lo, q);
       frame.hi = glm::max(frame.hi, q);
     }
-  // Air around the box, so that float rounding clips nothing away and a flat scene still has a depth.
+  // A margin around the box, so that float rounding clips nothing and a flat scene has some depth.
   const dvec3 size = frame.hi - frame.lo;
   const double air = 1e-3 * std::max({size.x, size.y, size.z, 1e-30});
   frame.lo -= air;

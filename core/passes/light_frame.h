@@ -12,11 +12,12 @@ struct LightFrame {
   dvec3 x_axis{1, 0, 0}, y_axis{0, 0, 1};
   dvec3 lo{0}, hi{1};  ///< along x_axis, y_axis and -toward; never empty along any of them
 
-  /// A position's place in the box: x, y, z (z grows away from the light) each 0..1.
+  /// Maps a position to its place in the box: x, y, z each 0..1, z growing away from the light.
   dmat4 unit_from_scene() const;
 };
 
-/// `toward` unit. Goes through all vertices of all triangles; keep the result while light and scene stand still.
+/// `toward` must be unit. Goes through all vertices of all triangles; keep the result while light and scene stand
+/// still.
 LightFrame fit_light_frame(const Scene& scene, const dvec3& toward);
 
 }  // namespace hybridrt

@@ -6,10 +6,10 @@
 namespace hybridrt {
 namespace {
 
-constexpr double kLeastSine = 0.02;  // nearer to parallel there is nothing to gain
-// Along the sides, since the test finds a receiver's point a little beside where rasterising found its depth.
+constexpr double kLeastSine = 0.02;  // view and light nearer to parallel: nothing to gain
+// A margin on all sides, since the test's point of a receiver differs slightly from the raster's.
 constexpr double kMargin_texels = 2;
-// Of the map's depths and of the points': texels narrower than this do not narrow the bias.
+// Rounding of the map's depths and of the points': texels narrower than this do not narrow the bias.
 constexpr double kDepthRounding = 0x1p-18;
 constexpr double kMostLean = 4;
 
@@ -28,7 +28,7 @@ dvec3 warp_axis(const View& view, const dvec3& toward, double& sine) {
   return glm::normalize(view.up - glm::dot(view.up, toward) * toward);
 }
 
-/// How fast w grows, if it is 1 where the receivers begin.
+/// How fast w grows from 1 at the nearest receiver.
 double warp_per_length(double sine, double nearest, double length, int size_px) {
   // The margin beyond the farthest receivers must not reach the horizon, where w is infinite.
   const double most_w = size_px / (4 * kMargin_texels);
@@ -38,7 +38,7 @@ double warp_per_length(double sine, double nearest, double length, int size_px) 
   return 1 / std::max(pole_distance, length / (most_w - 1));
 }
 
-/// A receiver: across and along the warp's axis, and w.
+/// A receiver's coordinates across and along the warp's axis, and its w.
 struct Seen {
   double x, v, w;
 };
@@ -50,8 +50,8 @@ Range range_across(std::span<const Seen> receivers, double lean, size_t step) {
   return range;
 }
 
-/// The lean that makes the receivers narrowest. Their width is a convex function of it: golden-section search, over
-/// some of them only, as the map is fitted to all whatever the lean.
+/// The lean that makes the receivers narrowest. Their width is a convex function of it: golden-section search. A sample
+/// of the receivers is enough, as the map is then fitted to all of them.
 double narrowest_lean(std::span<const Seen> receivers) {
   constexpr double kGolden = 0.6180339887498949;
   const size_t step = 1 + receivers.size() / 2048;
@@ -94,7 +94,7 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
 
   Range along;
   for (const dvec3& p : receivers) along.grow(glm::dot(p - nearest, v_axis));
-  const double air = 1e-6 * std::max({box.x, box.y, box.z});  // a single point has an extent, too
+  const double air = 1e-6 * std::max({box.x, box.y, box.z});  // gives a single point an extent
   along.widen(air);
 
   const double w_per_length = warp_per_length(sine, glm::dot(nearest, view.forward), along.size(), size_px);
@@ -111,7 +111,7 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
 
   // Receivers fill the inner part of the map, from `margin` on.
   const double margin = std::min(kMargin_texels, size_px / 8.0) / size_px, inner = 1 - 2 * margin;
-  const double decline = 1 - 1 / w_hi;                  // of 1 / w over the inner part
+  const double decline = 1 - 1 / w_hi;                  // the decline of 1 / w over the inner part
   const double w_scale = 1 + decline * margin / inner;  // w is 1 along the map's first row, not the receivers'
 
   const dvec4 w = w_scale * row(w_per_length * v_axis, 1 - along.lo * w_per_length);

@@ -7,39 +7,39 @@
 
 namespace hybridrt {
 
-/// Where in a shadow map the scene's points lie: a projective map whose w depends on one direction across the light
-/// only and whose depth is linear along the light.
+/// Maps the scene's points to a shadow map: a projective map whose w depends on one direction across the light only and
+/// whose depth is linear along the light.
 ///
 ///     (u w, v w, z, w) = map_from_origin * (position - origin, 1)
 ///
 /// u and v are 0..1 over the map, z is 0..1 over the scene and grows away from the light, w is 1 along the row v = 0
-/// and grows with v. Hardware divides z by w too, so the map holds z / w; as w is the same all along a row of texels,
+/// and grows with v. Hardware divides z by w too, so the map holds z / w. As w is constant along a row of texels,
 ///
 ///     1 / w = 1 + inverse_w_slope * v,
 ///
-/// z is found again without rounding worth mention, and no shader need write depths.
+/// z is recovered with negligible rounding, and no shader need write depths.
 struct ShadowMapFit {
   dvec3 origin{0};  ///< scene space; subtracted first, so that what is near it is precise in float
   dmat4 map_from_origin{1};
   double inverse_w_slope = 0;  ///< 0 without warp, else in (-1, 0)
-  bool warped = false;         ///< by fit_shadow_map(); lispsm without receivers is not
-  dvec3 across{0}, along{0};   ///< unit, scene space, square to the light: the directions of u, and of v and w
+  bool warped = false;         ///< false for lispsm too if there are no receivers
+  dvec3 across{0}, along{0};   ///< unit, scene space, perpendicular to the light: directions of u, and of v and w
   double texel_across = 0;     ///< a texel is texel_across * w wide, in units of z, ...
   double texel_along = 0;      ///< ... and texel_along * w^2 long, measured straight along `along`
   double uniform_texel = 0;    ///< the longer side of a texel of uniform_shadow_map()
   double lean_first = 0, lean_step = 0;  ///< lines of equal u lean to `across` by lean_first + lean_step * u
 };
 
-/// All of the light's box, without warp: the same wherever it is seen from.
+/// Covers all of the light's box, without warp; independent of the view.
 ShadowMapFit uniform_shadow_map(const LightFrame& light, int size_px);
 
 /// Light space perspective shadow map (M. Wimmer, D. Scherzer, W. Purgathofer, "Light Space Perspective Shadow Maps",
 /// EGSR 2004): fitted to the convex hull of `receivers`, points relative to view.eye in front of it, with the warp that
-/// evens out texels a pixel over the picture, n = (z0 + sqrt(z0 z1)) / sin(view, light). The pole's place aside is
-/// free, and chosen so that the receivers fill the map: under a low light a floor is a thin line across it. What casts
-/// shadows on them is in the map as well, as it holds all that lies before and behind the hull along the light. Where
-/// view and light are nearly parallel it is fitted without warp; without receivers it is uniform_shadow_map(). Always
-/// finite, and w >= 1 over the map. `light` tells direction and range of depths.
+/// evens out texels a pixel over the picture, n = (z0 + sqrt(z0 z1)) / sin(view, light). The pole may move sideways;
+/// its place is chosen so that the receivers fill the map, since under a low light a floor would be a thin line across
+/// it. What casts shadows on them is in the map as well, as it holds all that lies before and behind the hull along the
+/// light. Where view and light are nearly parallel it is fitted without warp; without receivers it is
+/// uniform_shadow_map(). Always finite, and w >= 1 over the map. `light` gives direction and range of depths.
 ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span<const dvec3> receivers, int size_px);
 
 }  // namespace hybridrt

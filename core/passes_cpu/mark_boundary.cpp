@@ -22,11 +22,11 @@ uint8_t mask_of(CellAnswer answer) {
   return HRT_MASK_MARKED;
 }
 
-/// Questions to one light that wait for each other.
+/// Queries to one light that are asked together.
 constexpr size_t kBatch = 256;
 
-/// Marks what the light buffer's cells cannot answer: that is kept of a batch, which is then emptied. `mask` and `lit`:
-/// the light's.
+/// Asks the light buffer's cells a batch of queries, marks those that they cannot answer, keeps these and empties the
+/// batch. `mask` and `lit`: the light's.
 void mark_batch(const LightBuffer& buffer, MarkedShadows::Chunk& asked, std::span<uint8_t> mask, std::span<uint8_t> lit,
                 MarkedShadows::Chunk& marked) {
   CellAnswer answers[kBatch];

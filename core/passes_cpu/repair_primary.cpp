@@ -19,7 +19,7 @@ struct SeenTriangle {
   uint32_t id = kNoTriangle;
   vec3 edges[3];       ///< unit normals of the planes through the eye and an edge, pointing inward
   vec3 normal;         ///< unit, away from the eye
-  float distance = 0;  ///< of its plane from the eye
+  float distance = 0;  ///< from the eye to its plane
   bool edge_on = false;
 
   SeenTriangle() = default;
@@ -27,7 +27,7 @@ struct SeenTriangle {
     if (id == kNoTriangle) return;
     const dvec3 corners[] = {dvec3(scene.vertex(id, 0)), dvec3(scene.vertex(id, 1)), dvec3(scene.vertex(id, 2))};
     const vec3 a(corners[0] - eye), e1(corners[1] - corners[0]), e2(corners[2] - corners[0]);
-    for (int i = 0; i < 3; ++i) {  // by the edge, not by two far corners, whose product would lose its digits
+    for (int i = 0; i < 3; ++i) {  // from the edge: the product of two far corners would lose its digits
       const dvec3 &from = corners[i], &to = corners[(i + 1) % 3];
       edges[i] = glm::cross(vec3(from - eye), vec3(to - from));
     }
@@ -38,7 +38,7 @@ struct SeenTriangle {
     distance = glm::dot(a, normal);
   }
 
-  /// Sine of the angle from `dir` (unit) to the nearest edge, positive inside; about.
+  /// About the sine of the angle from `dir` (unit) to the nearest edge, positive inside.
   float depth_inside(const vec3& dir) const {
     return std::min({glm::dot(edges[0], dir), glm::dot(edges[1], dir), glm::dot(edges[2], dir)});
   }
@@ -51,15 +51,15 @@ struct SeenTriangle {
   }
 };
 
-/// What a pixel sees, by pass 2.
+/// What a pixel sees according to pass 2.
 struct SeenPixel {
   SeenTriangle triangle;
   dvec3 dir{0};      ///< through its centre, unit
   float t = 0;       ///< distance of the triangle's plane along it
-  float cosine = 0;  ///< between the two
+  float cosine = 0;  ///< between that plane's normal and `dir`
 };
 
-/// Three rows of a picture that move down it.
+/// Three rows of a picture, moving downward.
 class Neighbourhood {
  public:
   Neighbourhood(const Scene& scene, const View& view, std::span<const uint32_t> ids)
@@ -67,7 +67,7 @@ class Neighbourhood {
     for (auto& row : rows_) row.resize(static_cast<size_t>(view.width_px) + 2);
   }
 
-  /// Makes `y` the middle row; after the first, rows follow one another.
+  /// Makes `y` the middle row: the first time any, then always the next.
   void go_to(int y, bool first) {
     if (first) fill(y - 1), fill(y);
     fill(y + 1);
@@ -130,17 +130,17 @@ class Suspicion {
  private:
   static constexpr float kGrazing = 0.05f, kSteps = 4;
 
-  /// Whether the surface cannot reach from one pixel to the other without an edge that the eye sees behind.
+  /// Whether no surface reaches from one pixel to the other without a silhouette between them.
   bool is_step(const SeenPixel& a, const SeenPixel& b) const {
     const float cosine = std::max(std::min(a.cosine, b.cosine), kGrazing);
     return std::abs(a.t - b.t) > kSteps * pixel_ * std::min(a.t, b.t) / cosine;
   }
 
-  float pixel_;      ///< a pixel's angle
-  float near_edge_;  ///< how near to an edge, as depth_inside() tells it, the raster may decide otherwise
+  float pixel_;      ///< the angle of a pixel
+  float near_edge_;  ///< depth_inside() below which the raster may decide otherwise
 };
 
-/// Whether the triangle has a hole where the pixel's exact ray meets it: the raster rounds otherwise.
+/// Whether the triangle has a hole where the pixel's exact ray meets it; the raster rounds differently.
 bool shows_hole(const Scene& scene, const dvec3& eye, const SeenPixel& pixel) {
   const uint32_t id = pixel.triangle.id;
   if (id == kNoTriangle || !scene.has_holes(id)) return false;
@@ -148,7 +148,7 @@ bool shows_hole(const Scene& scene, const dvec3& eye, const SeenPixel& pixel) {
   return is_hole(*scene.textures, id, weights.y, weights.z);
 }
 
-/// The nearest of the triangles around (x, y) and of those that `caster` finds, by the exact ray.
+/// The nearest, along the exact ray, of the triangles around (x, y) and of those that `caster` finds.
 class ExactHit {
  public:
   ExactHit(const Scene& scene, const SeenPixel& pixel, const dvec3& eye)
@@ -174,7 +174,7 @@ class ExactHit {
       }
   }
 
-  /// Near an edge single precision may find the wrong side of it: rays around this one find the other.
+  /// Near an edge single precision may find the triangle on the wrong side of it: rays around this one find the other.
   void offer_around(const RayCaster<float>& caster, const View& view) {
     constexpr double kAside = 4e-7;
     const dvec3 sides[] = {view.right, -view.right, view.up, -view.up};

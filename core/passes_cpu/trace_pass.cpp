@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kTile_px = 32;
 
-/// Calls body(tile, stats) for every tile of the picture; returns the sum of the stats. Counts do not
-/// depend on the order of the tiles; times are sums of noise anyway.
+/// Calls body(tile, stats) for every tile of the picture; returns the sum of the stats. Counts do not depend on the
+/// order of the tiles.
 template <typename Body>
 TraceStats for_each_tile(const View& view, ThreadPool& pool, const Body& body) {
   const int tiles_x = (view.width_px + kTile_px - 1) / kTile_px;
@@ -32,7 +32,7 @@ TraceStats for_each_tile(const View& view, ThreadPool& pool, const Body& body) {
   return total;
 }
 
-/// The surface that a pixel sees, found again from its triangle in double precision.
+/// The surface that a pixel sees, recomputed from its triangle in double precision.
 Surface<float> surface_from(const TraceJob& job, uint32_t triangle, const dvec3& weights, const dvec3& dir) {
   return surface_at(job.scene, triangle, static_cast<float>(weights.y), static_cast<float>(weights.z), vec3(dir));
 }
@@ -84,7 +84,7 @@ class TileTrace {
     if (scatters) scatter(x, y, in_tile, triangle, dir, stats);
   }
 
-  /// Writes the answers that pass 3 has already. Returns the lights (bits) that the pixel asks.
+  /// Copies the answers that pass 3 already has. Returns the lights (bits) that the pixel must ask.
   unsigned take_over_answers(size_t index, uint32_t triangle) const {
     unsigned asked = 0;
     for (size_t l = 0; l < job_.lights.size(); ++l) {
@@ -156,7 +156,7 @@ class TileTrace {
   const TracePixels& pixels_;
   RayGenerations<float> generations_;
   const bool asks_buffers_;
-  std::vector<ShadowQueue<float>> shadow_queues_;  ///< of each light; owners are pixels
+  std::vector<ShadowQueue<float>> shadow_queues_;  ///< one per light; owners are pixels
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ void IdBufferPass::run(const In& in, const Out& out) const {
   const GLuint no_triangle[4] = {kNoTriangle, 0, 0, 0};
   const float infinitely_far = 0;  // reversed depth
   gl.BindFramebuffer(GL_FRAMEBUFFER, out.ids.id());
-  // The whole frame's viewport, shifted: what is cut out of it is rasterised as in the whole.
+  // The whole frame's viewport, shifted: a part is rasterised as in the whole frame.
   gl.Viewport(-in.view.x_px, -in.view.y_px, in.view.frame_width_px, in.view.frame_height_px);
   gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
   gl.Enable(GL_DEPTH_TEST);

@@ -8,7 +8,7 @@ namespace hybridrt {
 
 /// Pass 2, first step (paper, section 3.4): the number of the triangle that each pixel sees.
 struct IdBufferPass {
-  /// `holes`: of SceneGpu::has_holes().
+  /// `holes`: SceneGpu::has_holes().
   IdBufferPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes = false);
 
   struct In {
@@ -17,7 +17,7 @@ struct IdBufferPass {
     double near_distance;
   };
   struct Out {
-    const gl::Framebuffer& ids;  ///< R32UI and DEPTH_COMPONENT32F, of the view's size, row 0 on top
+    const gl::Framebuffer& ids;  ///< R32UI and DEPTH_COMPONENT32F, as large as the view, row 0 on top
   };
   void run(const In& in, const Out& out) const;
 
@@ -29,7 +29,7 @@ struct IdBufferPass {
   gl::Uniform<mat4> clip_from_eye_{program_, "clip_from_eye"};
 };
 
-/// Pass 2, second step: the shadow-map test, once for every pixel that sees a triangle.
+/// Pass 2, second step: the shadow-map test, once per pixel that sees a triangle.
 struct ShadowTestPass {
   ShadowTestPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
 
@@ -37,13 +37,13 @@ struct ShadowTestPass {
     const SceneGpu& scene;
     const View& view;
     const dvec3& to_light;    ///< unit
-    const ShadowMapFit& fit;  ///< what `shadow_map` was drawn by
+    const ShadowMapFit& fit;  ///< with which `shadow_map` was drawn
     const gl::Texture& ids;
     const gl::Texture& shadow_map;
   };
   struct Out {
     const gl::TextureName& mask;  ///< R8UI, HRT_MASK_* bits (shaders/shared.h)
-    int layer = 0;                ///< of it, that is written
+    int layer = 0;                ///< the layer of `mask` that is written
   };
   void run(const In& in, const Out& out) const;
 
@@ -52,7 +52,7 @@ struct ShadowTestPass {
   gl::Program program_;
   ViewUniforms view_{program_};
   gl::Uniform<vec3> to_light_{program_, "to_light"};
-  // As ShadowMapFit has them.
+  // As in ShadowMapFit.
   gl::Uniform<mat4> map_from_eye_{program_, "map_from_eye"};
   gl::Uniform<vec3> across_{program_, "across"}, along_{program_, "along"};
   gl::Uniform<float> inverse_w_slope_{program_, "inverse_w_slope"};

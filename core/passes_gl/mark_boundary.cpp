@@ -28,7 +28,7 @@ void MarkBoundaryPass::run(const In& in, const Out& out) const {
   gl.BindImageTexture(HRT_IMAGE_OUT, out.marked_mask.id(), 0, GL_FALSE, in.layer, GL_WRITE_ONLY, GL_R8UI);
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(groups_x, groups_y, 1);
-  gl::throw_on_error(gl, "pass 3, boundary marking");
+  gl::throw_on_error(gl, "pass 3, marking");
 }
 
 }  // namespace hybridrt

@@ -5,16 +5,17 @@
 
 namespace hybridrt {
 
-/// Pass 3 (paper, section 3.4): blurs the shadow mask with a k x k box; where the result is neither dark
-/// nor lit, a shadow's edge is near and pass 4 asks a ray. Pixels without a surface do not count.
+/// Pass 3 of `--shadows blur` (paper, section 3.4): blurs the shadow mask with a k x k box. Where the result is neither
+/// dark nor lit, a shadow's edge is near: the pixel is marked and pass 4 asks a ray. Pixels without a surface do not
+/// count.
 struct MarkBoundaryPass {
   MarkBoundaryPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
 
   struct In {
     const gl::TextureArray& mask;  ///< R8UI, from pass 2
     int width_px, height_px;
-    int kernel_px;  ///< odd, 1..31
-    int layer = 0;  ///< of both masks
+    int kernel_px;  ///< odd, 1 to 31
+    int layer = 0;  ///< layer of both masks
   };
   struct Out {
     const gl::Texture& row_sums;          ///< RG8UI scratch

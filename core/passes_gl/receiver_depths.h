@@ -5,16 +5,16 @@
 
 namespace hybridrt {
 
-/// Before pass 1, where its map is fitted to what is seen: how near and how far each block of pixels sees.
+/// Before pass 1, if its map is fitted to what is seen: the nearest and the farthest depth per block of pixels.
 struct ReceiverDepthsPass {
   ReceiverDepthsPass(const gl::Functions& gl, const gl::ShaderSources& shaders);
 
   struct In {
-    const gl::Texture& depth;  ///< of IdBufferPass
+    const gl::Texture& depth;  ///< from IdBufferPass
     int width_px, height_px;
   };
   struct Out {
-    const gl::Texture& blocks;  ///< RG32F, a texel a block: the nearest and the farthest depth, or (0, 2): nothing seen
+    const gl::Texture& blocks;  ///< RG32F, one texel per block: nearest and farthest depth, or (0, 2): nothing seen
   };
   void run(const In& in, const Out& out) const;
 

@@ -34,7 +34,7 @@ void require_fit(const gl::Context& context, const char* what, size_t count) {
 
 constexpr int kWordsWidth = 1 << HRT_TEXTURE_WORDS_WIDTH_SHIFT;
 
-/// In blocks of whole rows, and what is left as a part of one: drivers copy what they are given.
+/// Uploads blocks of whole rows, then the rest as a part of a row: drivers copy what they are given.
 void upload_words(const gl::Functions& gl, const gl::Texture& texture, const std::vector<uint32_t>& words) {
   constexpr size_t kRowsTogether = 1024;
   const size_t whole_rows = words.size() / kWordsWidth, rest = words.size() % kWordsWidth;

@@ -20,8 +20,8 @@ struct TexturesGpu {
   void bind(const gl::Functions& gl) const;
 };
 
-/// The scene's arrays in GPU memory, made once, then only read. Each index buffer serves both drawing and,
-/// as a buffer texture, per-pixel lookups.
+/// The scene's arrays in GPU memory, made once, then only read. Each index buffer serves drawing and, as a buffer
+/// texture, lookups per pixel.
 struct SceneGpu {
   /// Throws Error(device) naming the limit when the scene does not fit the device's buffer textures.
   SceneGpu(const gl::Context& context, const Scene& scene);

@@ -9,7 +9,7 @@
 namespace hybridrt {
 namespace {
 
-// With none the compiler would leave the geometry out, and some uniforms with it: then there is a black one.
+// Without lights the compiler would drop the geometry and some uniforms with it, so there is always one: black.
 size_t compiled_count(size_t light_count) { return std::max<size_t>(light_count, 1); }
 
 gl::ShaderSources with_light_count(gl::ShaderSources shaders, size_t light_count) {

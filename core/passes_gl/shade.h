@@ -9,20 +9,20 @@
 
 namespace hybridrt {
 
-/// Pass 5 (paper, section 3.4): ambient + each light's shadow · (diffuse + specular) + traced contribution, once a
+/// Pass 5 (paper, section 3.4): ambient + each light's shadow · (diffuse + specular) + traced contribution, once per
 /// pixel from its id.
 struct ShadePass {
-  /// For `light_count` lights, at most HRT_MAX_LIGHTS: compiled in, since a loop of unknown length doubles the time on
-  /// llvmpipe even where it is never entered. `textured`: whether SceneGpu has textures.
+  /// `light_count` is at most HRT_MAX_LIGHTS and compiled in, since a loop of unknown length doubles the time on
+  /// llvmpipe even if it is never entered. `textured`: whether SceneGpu has textures.
   ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, size_t light_count, bool textured = false);
 
   struct In {
     const SceneGpu& scene;
     const View& view;
     const gl::Texture& ids;
-    const gl::TextureArray* mask;  ///< R8UI, a layer a light: HRT_MASK_LIT where it arrives; null: everywhere
+    const gl::TextureArray* mask;  ///< R8UI, a layer per light: HRT_MASK_LIT where it arrives; null: everywhere
     const gl::Texture* traced;     ///< RGBA32F, added to the colour; null: nothing
-    std::span<const DirectionalLight> lights;  ///< as many as promised; those without shadows arrive everywhere
+    std::span<const DirectionalLight> lights;  ///< `light_count` of them; those without shadows arrive everywhere
     vec3 ambient, background;
   };
   struct Out {
@@ -43,7 +43,7 @@ struct ShadePass {
   std::vector<LightUniforms> lights_;
   gl::Uniform<int> masked_lights_{program_, "masked_lights"}, use_traced_{program_, "use_traced"};
   gl::Uniform<vec3> ambient_{program_, "ambient"}, background_{program_, "background"};
-  std::optional<gl::Uniform<float>> sample_area_;  ///< where there are textures
+  std::optional<gl::Uniform<float>> sample_area_;  ///< only with textures
 };
 
 }  // namespace hybridrt

@@ -6,9 +6,9 @@
 
 namespace hybridrt {
 
-/// Pass 1 (paper, section 3.4): the depth of the nearest surface as the light sees it, geometry only.
+/// Pass 1 (paper, section 3.4): the depth of the nearest surface that the light sees, geometry only.
 struct ShadowMapPass {
-  /// `holes`: of SceneGpu::has_holes().
+  /// `holes`: SceneGpu::has_holes().
   ShadowMapPass(const gl::Functions& gl, const gl::ShaderSources& shaders, bool holes = false);
 
   struct In {
@@ -17,7 +17,7 @@ struct ShadowMapPass {
     int size_px;
   };
   struct Out {
-    const gl::Framebuffer& depth;  ///< DEPTH_COMPONENT32F, size_px square: z / w of the fit, 1 where there is nothing
+    const gl::Framebuffer& depth;  ///< DEPTH_COMPONENT32F, size_px square: z / w of the fit, 1 where nothing is
   };
   void run(const In& in, const Out& out) const;
 

@@ -7,8 +7,8 @@
 
 namespace hybridrt {
 
-/// A point as the sum of two floats, in a shader `name`_high and `name`_low: subtracting them one after the other
-/// loses nothing of what is near it.
+/// A point as the sum of two floats, `name`_high and `name`_low in a shader: subtracting them one after the other keeps
+/// the precision of what is near the point.
 class FarPointUniforms {
  public:
   FarPointUniforms(const gl::Program& program, const std::string& name);

@@ -7,7 +7,7 @@
 namespace hybridrt {
 namespace {
 
-constexpr double kSpacingPerEdge = 1.35;  // of the lattice
+constexpr double kSpacingPerEdge = 1.35;  // spacing of the lattice's points
 
 /// Two cubic lattices, the second in the middle of the first one's cells.
 class Lattice {
@@ -31,7 +31,7 @@ class Lattice {
   }
 
  private:
-  /// Blocks that lie far from the surface get one value.
+  /// Blocks far from the surface get one value.
   void fill(const Solid& solid) {
     constexpr int kBlock = 6;
     const double reach = 2.5 * 0.87 * (kBlock + 1) * spacing_;
@@ -87,7 +87,7 @@ class Polygoniser {
     const auto [found, is_new] = vertices_.try_emplace(in << 32 | out, static_cast<uint32_t>(positions.size()));
     if (is_new) {
       const double a = lattice_.value(in), b = lattice_.value(out);
-      // Not quite to the ends, where several vertices would meet in a point.
+      // Stays off the ends, where several vertices would meet in a point.
       const double along = std::clamp(a / (a - b), 0.02, 0.98);
       positions.push_back(glm::mix(lattice_.position(in), lattice_.position(out), along));
     }
@@ -106,7 +106,7 @@ void visit_tetrahedra(const Lattice& lattice, Polygoniser& polygoniser) {
     for (int y = 0; y + 2 < lattice.size(1); ++y)
       for (int x = 0; x + 2 < lattice.size(0); ++x)
         for (int axis = 0; axis < 3; ++axis) {
-          // Around the face that this cell shares with the next one along the axis.
+          // Goes around the face that this cell shares with the next one along the axis.
           const int e[3] = {axis == 0, axis == 1, axis == 2}, f[3] = {e[2], e[0], e[1]}, g[3] = {e[1], e[2], e[0]};
           const uint64_t center = lattice.id(1, x, y, z), next = lattice.id(1, x + e[0], y + e[1], z + e[2]);
           uint64_t ring[5];
@@ -119,7 +119,7 @@ void visit_tetrahedra(const Lattice& lattice, Polygoniser& polygoniser) {
         }
 }
 
-/// `value`: that of `solid` at `p`.
+/// `value`: `solid` at `p`.
 dvec3 gradient(const Solid& solid, const dvec3& p, double value, double step) {
   return dvec3(solid(p + dvec3(step, 0, 0)) - value, solid(p + dvec3(0, step, 0)) - value,
                solid(p + dvec3(0, 0, step)) - value) /
@@ -131,7 +131,7 @@ dvec3 normal_or(const dvec3& v, const dvec3& otherwise) {
   return length > 1e-12 ? v / length : otherwise;
 }
 
-/// Even triangles: each vertex toward the middle of its neighbours, along the surface, then back onto it.
+/// Evens out the triangles: moves each vertex along the surface toward the middle of its neighbours, then back onto it.
 /// Returns the normals.
 std::vector<dvec3> relax(const Solid& solid, double edge, const std::vector<uvec3>& triangles,
                          std::vector<dvec3>& positions) {

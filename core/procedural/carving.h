@@ -6,13 +6,13 @@
 
 namespace hybridrt {
 
-/// A solid as a function: below 0 inside, above 0 outside, about the distance to its surface nearby (its
-/// slope between 1/2 and 2 where it matters).
+/// A solid as a function: below 0 inside, above 0 outside, near the surface about the distance to it (slope between 1/2
+/// and 2).
 using Solid = std::function<double(const dvec3&)>;
 
-/// The surface of `solid` inside the box `lo`..`hi` (which must hold all of it), closed whatever the shape,
-/// of triangles with edges of about `edge`. Normals are the function's gradient; where that disagrees with a
-/// triangle (a detail finer than `edge`) the triangle's own.
+/// The surface of `solid` inside the box `lo`..`hi` (which must hold all of it), closed whatever the shape, in
+/// triangles with edges of about `edge`. Normals are the function's gradient, or the triangle's own where the two
+/// disagree (a detail finer than `edge`).
 ///
 /// Marching tetrahedra (Doi and Koide 1991) on the body-centred cubic lattice, whose tetrahedra are nearly
 /// regular, then vertices slide along the surface toward their neighbours' middle and back onto it.
@@ -22,7 +22,7 @@ TriangleMesh carve(const Solid& solid, const dvec3& lo, const dvec3& hi, double 
 double smooth_union(double a, double b, double blend);  ///< rounds the seam over about `blend`
 double smooth_cut(double a, double b, double blend);    ///< a without b
 double ellipsoid(const dvec3& p, const dvec3& center, const dvec3& radii);
-/// From `a`, thickness `radius_a`, to `b`.
+/// A cone with round ends from `a`, of radius `radius_a`, to `b`.
 double round_cone(const dvec3& p, const dvec3& a, const dvec3& b, double radius_a, double radius_b);
 
 }  // namespace hybridrt

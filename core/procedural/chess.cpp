@@ -11,7 +11,7 @@
 namespace hybridrt {
 namespace {
 
-/// What is built once and copied.
+/// Parts that are built once and copied.
 struct Kit {
   Fineness fineness;
   std::array<std::vector<std::vector<Patch>>, kChessPieces> pieces;
@@ -22,20 +22,20 @@ Kit make_kit(double per_turn) {
   Kit kit;
   kit.fineness = {per_turn, 0.7 * per_turn};
   for (int i = 0; i < kChessPieces; ++i) kit.pieces[i] = turned_parts(static_cast<ChessPiece>(i), kit.fineness);
-  // Flat work needs less.
+  // Flat parts need fewer.
   const Fineness coarse{0.5 * per_turn + 16, 0.1 * per_turn};
   kit.square = board_square(coarse), kit.core = board_core(coarse), kit.stringing = board_stringing(coarse);
   kit.frame = board_frame(coarse), kit.table = table_round({2 * per_turn, 0.2 * per_turn}, 1);
   return kit;
 }
 
-/// Of a knight's head: finer than turned work, for its details.
+/// Triangles of a knight's head: more than turned work has, for its details.
 int64_t knight_triangles(const Fineness& fineness) {
   const double square = fineness.per_turn * fineness.per_turn;
   return static_cast<int64_t>(std::max(700.0, std::min(10 * square, 16'000 + 4 * square)));
 }
 
-/// Of the whole scene, when a knight's head has `knight` triangles.
+/// Triangles of the whole scene, if a knight's head has `knight`.
 int64_t count_kit(const Kit& kit, const std::vector<ChessMan>& men, int64_t knight) {
   int64_t count = 64 * count_triangles(kit.square) + count_triangles(kit.core) + count_triangles(kit.stringing) +
                   count_triangles(kit.frame) + count_triangles(kit.table);
@@ -46,7 +46,7 @@ int64_t count_kit(const Kit& kit, const std::vector<ChessMan>& men, int64_t knig
   return count;
 }
 
-/// The finest kit that stays under `triangles`.
+/// The finest kit with fewer than `triangles`.
 Kit fit_kit(const std::vector<ChessMan>& men, int64_t triangles) {
   double lo = 6, hi = 4000;
   while (hi - lo > 1e-3 * lo) {
@@ -57,7 +57,7 @@ Kit fit_kit(const std::vector<ChessMan>& men, int64_t triangles) {
   return make_kit(lo);
 }
 
-/// A closed surface and where it goes.
+/// A closed surface and its place.
 struct Solid {
   const TriangleMesh* mesh;
   Placement placement;
@@ -80,7 +80,7 @@ Scene make_chess(const ChessOptions& options) {
   const std::vector<ChessMan> men = immortal_game();
   Kit kit = fit_kit(men, options.triangles);
   const TriangleMesh knight = carve_knight(knight_triangles(kit.fineness));
-  // What is left over goes into the table's top.
+  // The triangles left over go into the table's top.
   const int64_t count = count_kit(kit, men, static_cast<int64_t>(knight.triangle_positions.size()));
   const int64_t ring = int64_t{2} * kit.table.back().columns;
   kit.table.back().rows += static_cast<int>(std::max<int64_t>(0, (options.triangles - count + ring / 2) / ring));

@@ -6,9 +6,9 @@ namespace hybridrt {
 namespace {
 
 constexpr int kMerlons = 6, kPoints = 9;
-constexpr double kMerlonShare = 0.6;  // of the circle; the gaps take the rest
+constexpr double kMerlonShare = 0.6;  // share of the circle; gaps take the rest
 
-/// Angle of the battlements at v of a stretch: merlon, gap, merlon, ...
+/// Angle of the battlements at `v` along a stretch: merlon, gap, merlon, ...
 double battlement_rad(int stretch, double v) {
   const double begin = stretch % 2 == 0 ? 0 : kMerlonShare, width = stretch % 2 == 0 ? kMerlonShare : 1 - kMerlonShare;
   const double turn = (stretch / 2 + begin + v * width) / kMerlons;
@@ -60,7 +60,7 @@ std::vector<Patch> rook_patches(const Profile& outside, const Profile& inside, c
     patch.columns = cells, patch.at = at;
     patches.push_back(std::move(patch));
   };
-  // From corner to corner of the wall's section, radius and height.
+  // From corner to corner of the wall's section, given as (radius, height).
   const auto sweep = [&](int stretch, dvec2 from, dvec2 to) {
     add(columns, [=](double u, double v) {
       const dvec2 p = glm::mix(from, to, u), d = on_circle(battlement_rad(stretch, v));
@@ -114,7 +114,7 @@ std::vector<Patch> bishop_patches(const Profile& body, const Fineness& fineness)
   };
   for (int stretch = 0; stretch < 2; ++stretch) {
     const auto surface = [=](double share, double low,
-                             double v) {  // of the way from edge to end of the curve
+                             double v) {  // the share of the way from edge to end of the curve
       const double angle = angle_rad(stretch, v);
       return mitre.on_curve(low < 0 ? share * mitre.edge(angle, -1) : glm::mix(mitre.edge(angle, 1), 1.0, share),
                             angle);
@@ -150,7 +150,7 @@ Outline coronet() {
 }
 
 std::vector<Patch> cross_patches(double bottom, const Fineness& fineness) {
-  // One arm after the other: out along its flared side, across its end, back. Corners as (along, across).
+  // Arm by arm: out along its flared side, across its end, back. Corners are (along, across).
   constexpr double kWaist = 0.021, kReach = 0.083, kFlare = 0.041;
   Outline outline;
   outline.direction = [](int stretch, double v) {

@@ -4,15 +4,15 @@
 
 namespace hybridrt {
 
-// What makes the heads of chess pieces more than turned work, as patches that close a turned body.
+// Heads of chess pieces that are more than turned work, as patches that close a turned body.
 
-/// The rook's battlements stand on its wall from `low` to `high`.
+/// The rook's battlements, which stand on its wall from `low` to `high`.
 struct RookCrown {
   double outer_radius, inner_radius, low, high;
 };
 inline constexpr RookCrown kRookCrown{0.252, 0.186, 0.855, 0.955};
 
-/// `outside` ends and `inside` begins at the two edges of the wall, kRookCrown.low high.
+/// `outside` ends and `inside` begins at the wall's two edges, at height kRookCrown.low.
 std::vector<Patch> rook_patches(const Profile& outside, const Profile& inside, const Fineness& fineness);
 
 /// A mitre with the bishop's cut and a ball on `body`, where that ends.

@@ -10,11 +10,10 @@
 namespace hybridrt {
 namespace {
 
-constexpr double kArea = 1.9;  // of the head, to turn a number of triangles into their size
+constexpr double kArea = 1.9;  // the head's area, to derive the size of triangles from their number
 constexpr double kAir = 0.0015;
 
-/// A point of a limb's spine in the plane of symmetry with the limb's half widths there: in that plane, and
-/// across it.
+/// A point of a limb's spine, in the plane of symmetry, and the limb's half widths there: in that plane and across it.
 struct Section {
   double x, y, in_plane, across;
 };
@@ -45,7 +44,7 @@ class Limb {
   }
 
   double distance(const dvec3& p) const {
-    // The nearest of the guesses, counted in widths; from there to the foot of the perpendicular.
+    // The nearest of the guesses, measured in widths; then on to the foot of the perpendicular.
     double nearest = 1e9, t = 0;
     for (size_t i = 0; i < guesses_.size(); ++i) {
       const Section& s = guesses_[i];
@@ -102,13 +101,13 @@ struct Horse {
     return distance;
   }
 
-  /// Of the near half; the other is its mirror image.
+  /// The solid's function: that of the near half, mirrored.
   double operator()(const dvec3& point) const {
     const dvec3 p(point.x, point.y, std::abs(point.z));
     const dvec2 side(p.x, p.y);
     double d = neck.distance(p);
     d = smooth_union(d, ellipsoid(p, {0.085, 0.40, 0}, {0.165, 0.16, 0.155}), 0.10);  // chest
-    // What is too far away to matter is left out.
+    // Skips what is too far away to matter.
     const bool near_head = p.y > 0.50;
     if (near_head) {
       double face = head.distance(p);
@@ -146,7 +145,7 @@ struct Horse {
 }  // namespace
 
 TriangleMesh carve_knight(int64_t triangles) {
-  constexpr double kTrianglesPerSquare = 4.4;  // of an edge's side
+  constexpr double kTrianglesPerSquare = 4.4;  // per square of an edge's length
   const double edge = std::sqrt(kTrianglesPerSquare * kArea / static_cast<double>(std::max<int64_t>(triangles, 100)));
   return carve(Horse(), {-0.36, 0.24, -0.27}, {0.42, 1.16, 0.27}, edge);
 }

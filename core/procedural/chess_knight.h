@@ -4,8 +4,8 @@
 
 namespace hybridrt {
 
-/// The horse's head of the knight, facing +x, a hair above its turned foot: a closed surface of about
-/// `triangles` triangles (within a tenth from 1,000 on).
+/// The knight's horse head, facing +x, slightly above its turned foot: a closed surface of about `triangles` triangles
+/// (within a tenth from 1,000 on).
 TriangleMesh carve_knight(int64_t triangles);
 
 }  // namespace hybridrt

@@ -8,7 +8,7 @@
 namespace hybridrt {
 namespace {
 
-/// `kd` is the colour of the matt stand-in too where the material itself has none.
+/// `kd` is also the colour of the matt stand-in, where the material itself has none.
 struct Recipe {
   const char* name;
   vec3 kd, ks;

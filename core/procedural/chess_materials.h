@@ -14,7 +14,7 @@ class ChessMaterials {
   /// `plain`: everything opaque and matt; mirrors are asked for one by one.
   ChessMaterials(Scene& scene, bool plain) : scene_(scene), plain_(plain) {}
 
-  /// The index of the named material (those of the list in the .cpp), turned into a mirror if asked to.
+  /// The index of the named material (one of the list in the .cpp), as a mirror if `mirror`.
   uint32_t find(std::string_view name, bool mirror = false);
   /// The material of a piece.
   uint32_t of_piece(bool white, ChessFinish finish, bool mirror);

@@ -13,7 +13,7 @@ struct Square {
   ChessPiece piece;
   char file;
   int rank;
-  double turn_deg;  ///< as a player would leave it, give or take
+  double turn_deg;  ///< roughly as a player would leave it
   ChessFinish finish;
 };
 
@@ -43,7 +43,7 @@ std::vector<ChessMan> immortal_game() {
   uint64_t state = 1851;
   const auto stand = [&](std::span<const Square> squares, bool white) {
     for (const Square& s : squares) {
-      // Nobody puts them quite in the middle.
+      // Players do not put pieces exactly in the middle.
       const double dx = 0.09 * (next_unit(state) - 0.5), dz = 0.09 * (next_unit(state) - 0.5);
       const double turn_deg = s.turn_deg + 16 * (next_unit(state) - 0.5);
       men.push_back({s.piece, white, {s.file - 'a' - 3.5 + dx, 4.5 - s.rank + dz}, turn_deg, s.finish, false});

@@ -7,7 +7,7 @@
 namespace hybridrt {
 namespace {
 
-/// Fisher-Yates with a fixed start.
+/// A Fisher-Yates shuffle with a fixed seed.
 std::vector<int> shuffled(int count) {
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);

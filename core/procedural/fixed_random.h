@@ -17,8 +17,8 @@ inline uint64_t next_random(uint64_t& state) {
 /// The next number in [0, 1).
 inline double next_unit(uint64_t& state) { return static_cast<double>(next_random(state) >> 11) * 0x1p-53; }
 
-/// Which of `components` become mirrors at `percent` (0 to 100) of them: at least one above 0, chosen by a
-/// fixed shuffle, nested: one that is a mirror stays one at a higher percentage.
+/// Which of `components` become mirrors at `percent` (0 to 100): at least one above 0, chosen by a fixed shuffle,
+/// nested: a mirror stays one at a higher percentage.
 std::vector<char> choose_mirrors(int components, double percent);
 
 }  // namespace hybridrt

@@ -5,7 +5,7 @@
 namespace hybridrt {
 namespace {
 
-/// Multiples of 2^-20, which floats below 8 hold exactly: what differs by rounding becomes equal.
+/// Rounds to multiples of 2^-20, which floats below 8 hold exactly: what differs by rounding becomes equal.
 vec3 snapped(const dvec3& p) { return vec3(glm::round(p * 0x1p20) * 0x1p-20) + vec3(0); }
 
 /// By central differences, a little inside the patch, where poles have a normal too.
@@ -29,7 +29,7 @@ void append_patch(TriangleMesh& mesh, const Patch& patch) {
   for (int row = 0; row < patch.rows; ++row)
     for (int column = 0; column < patch.columns; ++column) {
       const uint32_t a = first + row * stride + column, b = a + 1, c = a + stride, d = c + 1;
-      // At a pole one of the two is no triangle, whichever side it is on: dropped after welding.
+      // At a pole one of the two has no area; it is dropped after welding.
       mesh.triangle_normals.emplace_back(a, c, d);
       mesh.triangle_normals.emplace_back(a, d, b);
     }
@@ -50,7 +50,7 @@ TriangleMesh mesh_of(std::span<const Patch> patches) {
   for (const Patch& patch : patches) append_patch(mesh, patch);
 
   ThreadPool alone(1);
-  // Positions found once each, in the order of their first use.
+  // Keeps each position once, in the order of first use.
   const std::vector<uint32_t> same = weld_positions(mesh.positions, alone);
   std::vector<uint32_t> kept(same.size());
   std::vector<vec3> positions;

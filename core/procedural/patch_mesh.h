@@ -30,16 +30,15 @@ struct TriangleMesh {
 
 int64_t count_triangles(std::span<const Patch> patches);
 
-/// The surface that the patches make together: where their sides meet (within 2^-21) vertices are shared,
-/// while each patch keeps its own normals, so that the seam between two is an edge exactly where they meet
-/// at an angle. Patches that surround a solid, with as many cells on either side of every seam, give a
-/// closed mesh; coordinates should stay below 8 or so.
+/// The surface that the patches form: where their sides meet (within 2^-21) vertices are shared, but each patch keeps
+/// its own normals, so the seam between two is a sharp edge exactly where they meet at an angle. Patches that surround
+/// a solid, with as many cells on either side of every seam, give a closed mesh; coordinates should stay below about 8.
 TriangleMesh mesh_of(std::span<const Patch> patches);
 
 /// Gives every corner whose normal points behind its triangle the triangle's own.
 void use_face_normals_where_others_fail(TriangleMesh& mesh);
 
-/// Where a copy of a mesh goes: turned about the up axis (counter-clockwise seen from above), then moved.
+/// The place of a copy of a mesh: turned about the up axis (counter-clockwise seen from above), then moved.
 struct Placement {
   dvec3 position{0};
   double turn_rad = 0;

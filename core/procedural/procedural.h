@@ -10,13 +10,13 @@
 
 namespace hybridrt {
 
-/// What every procedural scene can be told; absent: the scene's own default.
+/// Options that every procedural scene takes; absent: the scene's default.
 struct ProceduralOptions {
   std::optional<int64_t> triangles;
   std::optional<double> reflective_percent;
 };
 
-/// One of the scenes that are made, not read.
+/// A scene that is made, not read.
 struct ProceduralScene {
   std::string_view name, about;
   int64_t fewest_triangles, most_triangles, default_triangles;
@@ -26,7 +26,7 @@ struct ProceduralScene {
 
 std::span<const ProceduralScene> procedural_scenes();
 
-/// Null when there is none of that name.
+/// Null if there is no scene of that name.
 const ProceduralScene* find_procedural(std::string_view name);
 
 /// "chess, spheres, thin", for messages.

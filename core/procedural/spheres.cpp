@@ -10,16 +10,16 @@
 namespace hybridrt {
 namespace {
 
-constexpr double kRadius = 0.48;  // of balls one unit apart
+constexpr double kRadius = 0.48;  // balls are one unit apart
 constexpr double kGap = 0.02;     // below them
-constexpr double kMargin = 0.15;  // of the ground, around the outermost balls
+constexpr double kMargin = 0.15;  // ground beyond the outermost balls
 constexpr double kBallShare = 0.95;
 
 struct Paint {
   const char* name;
   vec3 kd;
 };
-// Linear. Muted, of similar lightness, told apart by people with colour vision deficiencies too.
+// Linear. Muted, of similar lightness, distinguishable with colour vision deficiencies too.
 constexpr std::array<Paint, 5> kPaints = {{{"brick", {0.55f, 0.16f, 0.10f}},
                                            {"ochre", {0.62f, 0.38f, 0.10f}},
                                            {"moss", {0.20f, 0.36f, 0.12f}},
@@ -129,7 +129,7 @@ SpheresPlan plan_spheres(const SpheresOptions& options) {
     throw error(ErrorKind::usage, "spheres: reflective must be 0 to 100 (percent), not {}", options.reflective_percent);
 
   SpheresPlan plan;
-  // 10 x 10 balls at 500,000 triangles; thirty-two times the triangles, twice the side.
+  // 10 x 10 balls at 500,000 triangles; thirty-two times the triangles give twice the side.
   const auto total = static_cast<double>(options.triangles);
   plan.side = std::max(2, static_cast<int>(std::lround(10 * std::pow(total / 500'000, 0.2))));
   choose_ball(plan, static_cast<int64_t>(kBallShare * total) / plan.balls());

@@ -12,8 +12,8 @@
 namespace hybridrt {
 namespace {
 
-constexpr double kHalf = 10;    // of the ground
-constexpr double kAir = 0.004;  // between ground and what stands on it
+constexpr double kHalf = 10;    // half the ground's side
+constexpr double kAir = 0.004;  // between the ground and what stands on it
 
 struct Paint {
   const char* name;
@@ -53,9 +53,9 @@ void add_wires(std::vector<Part>& parts, int cells) {
   }
   for (int i = 0; i < 6; ++i) {
     const double y = 2.15 + 0.11 * i, sag = 0.25 + 0.04 * (i % 3);
-    // Past the poles, a finger's width in front of them.
+    // Past the poles, slightly in front of them.
     const auto path = [=](double t) {
-      const double along = 2 * std::abs(2 * t - 1) - 1;  // -1 in the middle of a span's end, 1 at the outer ends
+      const double along = 2 * std::abs(2 * t - 1) - 1;  // -1 at the middle pole, 1 at the outer ends
       return dvec3(-9 + 18.2 * t, y - sag * (1 - along * along), -1.12);
     };
     parts.push_back({tube(path, 0.0035, 5, cells), kSteel});

@@ -8,7 +8,7 @@
 
 namespace hybridrt {
 
-/// What shadow maps miss: grass, wires thinner than a pixel, a fence, a grating, with a few balls and rings
+/// A scene that shadow maps fail on: grass, wires thinner than a pixel, a fence, a grating, with a few balls and rings
 /// among them on wavy ground.
 struct ThinOptions {
   int64_t triangles = 500'000;  ///< aimed at, kFewestTriangles to kMostTriangles; met within 5 %
@@ -19,9 +19,9 @@ struct ThinOptions {
   static constexpr int64_t kFewestTriangles = 10'000, kMostTriangles = 20'000'000;
 };
 
-/// A garden 20 units square, y up, the ground around y = 0. All components are closed meshes with outward
-/// winding; blades and posts begin a hair above the ground, so that no two triangles touch. A pure function:
-/// same options, same scene. Throws Error (usage), saying what is allowed.
+/// A garden 20 units square, y up, the ground around y = 0. All components are closed meshes with outward winding;
+/// blades and posts begin slightly above the ground, so that they do not touch it. A pure function: same options, same
+/// scene. Throws Error (usage), saying what is allowed.
 Scene make_thin(const ThinOptions& options);
 
 /// Over the grass toward the fence, a low sun on the left.

@@ -12,7 +12,7 @@ dvec2 ProfileSpan::at(double u) const {
     return w * w * w * from + 3 * w * w * u * control_1 + 3 * w * u * u * control_2 + u * u * u * to;
   }
   if (bulge == 0) return from + u * (to - from);
-  // Around the centre, which lies on the chord's perpendicular; the angle is 4 atan(bulge).
+  // Turns around the centre, which lies on the chord's perpendicular; the angle is 4 atan(bulge).
   const dvec2 chord = to - from, middle = 0.5 * (from + to), right(chord.y, -chord.x);
   const dvec2 center = middle - right * ((1 - bulge * bulge) / (4 * bulge));
   const double angle = 4 * std::atan(bulge) * u, c = std::cos(angle), s = std::sin(angle);
@@ -93,14 +93,14 @@ int Fineness::columns(const Outline& outline) const {
 
 int Fineness::rows(const ProfileSpan& span) const {
   if (!span.is_curve && span.bulge == 0) return 1;
-  // As a cell's height should follow both its size and how much the surface turns there.
+  // A cell's height should follow both the span's length and how much the surface turns there.
   const double by_turning = span.turning_rad() * per_turn / (2 * kPi), by_length = span.length() * per_unit;
   return std::max(1, static_cast<int>(std::lround(0.5 * (by_turning + by_length))));
 }
 
 namespace {
 
-/// Without the spans that are too short to matter; their neighbours grow together.
+/// Drops the spans that are too short to matter and joins their neighbours.
 std::vector<ProfileSpan> without_details(const std::vector<ProfileSpan>& spans, double smallest) {
   std::vector<ProfileSpan> kept;
   dvec2 end = spans.front().from;

@@ -6,31 +6,31 @@
 
 namespace hybridrt {
 
-/// One stretch of a profile: x = distance from the axis, y = height. A straight line, a circular arc or a
-/// cubic Bezier curve; smooth in itself.
+/// A smooth stretch of a profile: a straight line, a circular arc or a cubic Bezier curve. x = distance from the axis,
+/// y = height.
 struct ProfileSpan {
   dvec2 from{0}, to{0};
-  dvec2 control_1{0}, control_2{0};  ///< of a curve
-  double bulge = 0;                  ///< of an arc: tan(angle / 4), > 0 bends to the right of its way
+  dvec2 control_1{0}, control_2{0};  ///< control points of a curve
+  double bulge = 0;                  ///< tan(angle / 4) of an arc; > 0 bends to the right of its direction
   bool is_curve = false;
-  double lift_from = 0, lift_to = 0;  ///< how much of the outline's lift the span's ends take on
+  double lift_from = 0, lift_to = 0;  ///< share of the outline's lift at the span's ends
 
   dvec2 at(double u) const;
   double length() const;
-  double turning_rad() const;  ///< how far its direction turns
+  double turning_rad() const;  ///< the angle that its direction turns by
 };
 
-/// What a turner cuts, drawn from the bottom up, outside to the right. Spans that meet at an angle make a
-/// crisp edge.
+/// The profile of a turned body, drawn from the bottom up, outside to the right. Spans that meet at an angle make a
+/// sharp edge.
 class Profile {
  public:
   explicit Profile(dvec2 start) : end_(start) {}
   Profile& line(dvec2 to);
   Profile& arc(dvec2 to, double bulge);
   Profile& curve(dvec2 control_1, dvec2 control_2, dvec2 to);
-  /// From here on points take on this share of the outline's lift (the next span goes over to it).
+  /// From here on points take this share of the outline's lift (the next span blends to it).
   Profile& lift(double share) { return next_lift_ = share, *this; }
-  /// A rounded ring of the given height that stands out from here; ends right above where it began.
+  /// A rounded ring of the given height that protrudes from here; ends right above its beginning.
   Profile& bead(double height, double out);
   /// A ball of this radius that rests on the circle reached so far; ends on the axis.
   Profile& ball(double radius);
@@ -54,7 +54,7 @@ struct Outline {
   /// Height added to lifted points; may be empty.
   std::function<double(int stretch, double v)> lift;
   int stretches = 1;
-  double relative_columns = 1;  ///< cells around, against those of a circle
+  double relative_columns = 1;  ///< cells around, relative to a circle's
   int fewest_columns = 1;       ///< in each stretch
 };
 Outline circle();
@@ -71,9 +71,9 @@ struct Fineness {
   double smallest_span() const { return 3 / (per_turn * per_turn); }
 };
 
-/// Patches of a solid of revolution, or of its relative with another outline. A profile begins and ends on
-/// the axis, or is a loop around material that misses the axis. Lines are cut once, curves by `fineness`,
-/// which also says when a detail is too small to be worth its triangles; a profile's two ends always stay.
+/// Patches of a solid of revolution, or of a similar solid with another outline. A profile begins and ends on the axis,
+/// or is a loop around material that misses the axis. Lines are one cell long, curves are cut by `fineness`, which also
+/// says which details are too small for triangles of their own; a profile's two ends always stay.
 std::vector<Patch> turned(const Profile& profile, const Outline& outline, const Fineness& fineness);
 
 }  // namespace hybridrt

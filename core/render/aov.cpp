@@ -16,7 +16,7 @@ void for_each_kept(const View& view, const PixelRect& kept, const Body& body) {
     for (int x = kept.x_px; x < kept.x_px + kept.width_px; ++x) body(static_cast<size_t>(y) * view.width_px + x, x, y);
 }
 
-/// Neighbouring numbers get unlike colours (the finaliser of MurmurHash3).
+/// Gives neighbouring numbers unlike colours (the finaliser of MurmurHash3).
 vec3 hashed_color(uint32_t h) {
   h ^= h >> 16;
   h *= 0x85ebca6bu;
@@ -26,7 +26,7 @@ vec3 hashed_color(uint32_t h) {
   return vec3(0.15f) + 0.85f / 255 * vec3(h & 255, (h >> 8) & 255, (h >> 16) & 255);
 }
 
-/// Of pixel `i`; 0 where nothing is known.
+/// The share of the lights that arrive at pixel `i`; 0 where nothing is known.
 float arriving_share(const AovSource& source, size_t i) {
   const std::span<const uint8_t> masks = source.lit.empty() ? source.mask : source.lit;
   if (masks.empty()) return 0;
@@ -56,7 +56,7 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
   const auto id = [&](size_t i) { return source.ids.empty() ? kNoTriangle : source.ids[i]; };
   const size_t pixel_count = static_cast<size_t>(view.width_px) * view.height_px;
   std::vector<ImageLayer> layers;
-  // One value a pixel, or three.
+  // One value per pixel, or three.
   const auto add_values = [&](const char* name, const auto& value_of) {
     ImageLayer& layer = layers.emplace_back(ImageLayer{name, {""}, {}, {}});
     for_each_kept(view, kept, [&](size_t i, int x, int y) { layer.values.push_back(value_of(i, x, y)); });

@@ -7,7 +7,7 @@
 
 namespace hybridrt {
 
-/// Per-pixel arrays of a frame that AOVs are made from; empty where a frame did not need them.
+/// A frame's arrays of pixels that AOVs are made from; empty where the frame did not need them.
 struct AovSource {
   std::span<const DirectionalLight> lights;
   std::span<const uint32_t> ids;
@@ -16,18 +16,17 @@ struct AovSource {
   std::span<const vec4> traced;
 };
 
-/// What `aovs` (Aov bits) asks for, over the part `kept` of the view's pixels, 0 where the frame had nothing
-/// to say:
+/// The AOVs in `aovs` (Aov bits), for the part `kept` of the view's pixels, 0 where the frame has no value:
 ///  - id: triangle numbers, kNoTriangle where none is seen
-///  - shadow: the share of the lights that arrive, of those that cast shadows; 1 or 0 with one
-///  - marked: a MarkReason, that of any light
+///  - shadow: of the lights that cast shadows, the share that arrives; 1 or 0 with one light
+///  - marked: the MarkReason of any light
 ///  - traced: R, G, B, linear
 ///  - depth: distance along the view, in scene units
 ///  - normal: X, Y, Z of the shading normal, -1..1
 std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept, const AovSource& source,
                                   uint32_t aovs);
 
-/// An AOV as a picture to look at, linear: ids hashed to colours, depth as a share of the picture's farthest,
+/// An AOV as a linear picture to look at: ids hashed to colours, depth as a share of the farthest in the picture,
 /// normals as (n + 1) / 2, black where nothing is seen.
 Image display_image(const ImageLayer& aov, int width_px, int height_px);
 

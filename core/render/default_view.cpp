@@ -12,11 +12,11 @@ namespace {
 
 // Small pictures are enough to tell walls from things.
 constexpr int kWidth_px = 32, kHeight_px = 24;
-constexpr double kMostlyBackFaces = 0.6;  // more than this share: a room seen from outside
+constexpr double kMostlyBackFaces = 0.6;  // a larger share: a room seen from outside
 constexpr double kHardlyAnyBackFaces = 0.05;
-constexpr double kMoreInside = 1.3;  // that many times the triangles seen from outside: a building
+constexpr double kMoreInside = 1.3;  // as many times the triangles seen from outside: a building
 constexpr double kClosed = 0.95;     // share of rays from inside that meet a wall
-constexpr double kRoofed = 0.8;      // the same where walls are known to be walls by their back faces
+constexpr double kRoofed = 0.8;      // the same where back faces already show that these are walls
 constexpr int kAzimuths = 16;
 constexpr double kSway_rad = 14 * kPi / 180, kLookInElevation_rad = 4 * kPi / 180;
 
@@ -29,7 +29,7 @@ struct Seen {
   double back_share() const { return hits ? static_cast<double>(back_faces) / hits : 0; }
 };
 
-/// Facing goes by the shading normal: where a file brings normals, they know better than the winding.
+/// Decided by the shading normal: a file's normals are more reliable than its winding.
 bool shows_back_face(const Scene& scene, const Hit<float>& hit, const vec3& dir) {
   const uvec3& corners = scene.triangle_normals[hit.triangle];
   const vec3 normal = (1 - hit.u - hit.v) * scene.normals[corners[0]] + hit.u * scene.normals[corners[1]] +
@@ -67,7 +67,7 @@ Seen look_from(const Scene& scene, const RayCaster<float>& caster, const Camera&
   return look(scene, caster, rays);
 }
 
-/// The same distance from the target, seen from nearly level.
+/// The same distance from the target, but nearly level with it.
 Orbit level(Orbit orbit) {
   const double distance = std::hypot(orbit.radius, orbit.height);
   orbit.radius = distance * std::cos(kLookInElevation_rad);
@@ -90,7 +90,7 @@ std::optional<Orbit> look_in(const Scene& scene, const RayCaster<float>& caster,
   return orbit;
 }
 
-/// `count` directions spread evenly over the sphere (a Fibonacci lattice).
+/// `count` directions, evenly spread over the sphere (a Fibonacci lattice).
 std::vector<vec3> sphere_directions(int count) {
   std::vector<vec3> directions;
   for (int i = 0; i < count; ++i) {
@@ -108,8 +108,8 @@ Seen look_around(const Scene& scene, const RayCaster<float>& caster, const vec3&
   return look(scene, caster, rays);
 }
 
-/// The point of a grid in the scene's box with most space around it, walls turned toward it, and a little
-/// below the middle, as people stand.
+/// The point of a grid in the scene's box with the most space around it and walls facing it, slightly below the middle,
+/// as people stand.
 std::optional<vec3> roomiest_point(const Scene& scene, const RayCaster<float>& caster) {
   constexpr int kSteps = 11, kDirections = 48;
   constexpr double kFewestHits = 0.5, kMostBackFaces = 0.15, kClearance = 0.02, kEyeLevel = 0.3;
@@ -133,7 +133,7 @@ std::optional<vec3> roomiest_point(const Scene& scene, const RayCaster<float>& c
   return best;
 }
 
-/// Standing at `spot`, looking the longest way first.
+/// An orbit that stands at `spot` and first looks where the view is longest.
 Orbit stand_at(const Scene& scene, const RayCaster<float>& caster, const vec3& spot, double fov_y_rad) {
   constexpr int kDirections = 64;
   const auto distance_along = [&](double angle) {
@@ -145,7 +145,7 @@ Orbit stand_at(const Scene& scene, const RayCaster<float>& caster, const vec3& s
     const double angle = 2 * kPi * i / kDirections, distance = distance_along(angle);
     if (distance > longest) longest = distance, azimuth = angle;
   }
-  // Half of the way back to the wall behind shows more of the room.
+  // Half-way back to the wall behind, more of the room is seen.
   const dvec3 backward(-std::sin(azimuth), 0, -std::cos(azimuth));
   Orbit orbit;
   orbit.target_world = scene.origin_world + dvec3(spot) + 0.5 * distance_along(azimuth + kPi) * backward;
@@ -157,7 +157,7 @@ Orbit stand_at(const Scene& scene, const RayCaster<float>& caster, const vec3& s
   return orbit;
 }
 
-/// From above and from below in turn.
+/// Looks from all around, alternately from above and from below.
 Seen look_from_all_around(const Scene& scene, const RayCaster<float>& caster, Orbit around, double aspect) {
   Seen all;
   for (int i = 0; i < kAzimuths; ++i) {
@@ -171,14 +171,14 @@ Seen look_from_all_around(const Scene& scene, const RayCaster<float>& caster, Or
   return all;
 }
 
-/// Whether there is a room around `spot`: foliage shows back faces too, and sky between them.
+/// Whether there is a room around `spot`: foliage shows back faces too, but with sky between them.
 bool is_roofed(const Scene& scene, const RayCaster<float>& caster, const vec3& spot) {
   const Seen seen = look_around(scene, caster, spot, sphere_directions(500));
   return seen.hits >= kRoofed * seen.rays;
 }
 
-/// Whether `spot` sees walls wherever it looks, and more of the scene than is seen from outside, by the
-/// same number of rays.
+/// Whether walls are seen from `spot` in all directions, and more of the scene than from outside with the same number
+/// of rays.
 bool inside_shows_more(const Scene& scene, const RayCaster<float>& caster, const vec3& spot, const Seen& outside) {
   const Seen inside = look_around(scene, caster, spot, sphere_directions(std::max(outside.hits, 1)));
   return inside.hits >= kClosed * inside.rays &&

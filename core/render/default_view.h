@@ -7,26 +7,26 @@
 namespace hybridrt {
 
 enum class Surroundings {
-  outside,  ///< things, seen from all around
-  open,     ///< a room that is open to one side: seen from there
-  inside,   ///< a closed room: the camera stands in it, where there is most space, and looks around once
+  outside,  ///< objects, seen from all around
+  open,     ///< a room that is open on one side, seen from there
+  inside,   ///< a closed room: the camera stands where there is most space and looks around once
 };
 
-/// The camera's way around a scene when nobody says where to look from.
+/// The camera's way around a scene when none is given.
 struct DefaultView {
   Surroundings surroundings = Surroundings::outside;
   Orbit orbit;
 };
 
-/// A scene is a room if most of what would be seen from outside is back faces, or if it is closed and more of
-/// its triangles are seen from its roomiest point than from all around.
-/// `caster` answers rays against `scene`; about 100,000 are asked.
+/// A scene is a room if most of what would be seen from outside is back faces, or if it is closed and more of its
+/// triangles are seen from its roomiest point than from all around. `caster` must belong to `scene`; about 100,000 rays
+/// are traced.
 DefaultView choose_default_view(const Scene& scene, const RayCaster<float>& caster, double aspect, double fov_y_rad);
 
-/// The light when nobody names one, as bright as takes a white surface that faces it, with the ambient light,
-/// to just white. Outside it comes from above, left of and behind `camera`; through a room's open side
-/// lower, so that it reaches the far wall. No outside light reaches a closed room: there the camera carries
-/// it, and it casts no shadows (`camera` is then each frame's own, else the first one's).
+/// The light when none is given. Together with the ambient light it makes a white surface that faces it just white.
+/// Outside it comes from above, left of and behind `camera`; through a room's open side it comes in lower, so that it
+/// reaches the far wall. In a closed room, where no outside light gets in, the camera carries it and it casts no
+/// shadows (`camera` is then that of each frame, else that of the first).
 DirectionalLight default_light(Surroundings surroundings, const Camera& camera, const vec3& ambient);
 
 }  // namespace hybridrt

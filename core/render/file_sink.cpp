@@ -28,7 +28,7 @@ FileSink::~FileSink() { stop(); }
 void FileSink::stop() {
   {
     std::lock_guard lock(mutex_);
-    stop_ = true;  // workers leave only when the queue is empty
+    stop_ = true;  // workers end only when the queue is empty
   }
   job_waits_.notify_all();
   for (std::thread& worker : workers_) worker.join();
@@ -76,7 +76,7 @@ void FileSink::work() {
     job = {};  // before the wait for the next one: an image may be large
 
     std::lock_guard lock(mutex_);
-    if (failure && !failure_) failure_ = std::move(failure);  // leaves no owner here to outlive the catcher
+    if (failure && !failure_) failure_ = std::move(failure);  // leaves no owner here that outlives the catcher
     if (failure_) room_.notify_all();
     if (--busy_ == 0 && queue_.empty()) idle_.notify_all();
   }

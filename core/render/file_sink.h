@@ -14,32 +14,32 @@
 
 namespace hybridrt {
 
-/// The bytes of a whole file for an image that will get this name. Called from several threads at once.
+/// Encodes an image as the bytes of a file of this name. Called from several threads at once.
 using EncodeFunction =
     std::function<std::vector<unsigned char>(const Image&, const std::filesystem::path&, const ImageMetadata&)>;
 
-/// Encodes and writes pictures on worker threads, each file whole or not at all. Memory is bounded: at most
-/// `max_queued` pictures wait and one per worker is in work.
+/// Encodes pictures and writes them atomically, on worker threads. Memory is bounded: at most `max_queued` pictures
+/// wait, and each worker holds one.
 class FileSink {
  public:
-  /// Gets the time that encoding and writing took, once the file stands under its final name.
+  /// Gets the time that encoding and writing took, once the file has its final name.
   using Done = std::function<void(double write_ms)>;
 
-  /// `workers` and `max_queued` >= 1. Throws Error usage when the system does not give so many threads.
+  /// `workers` and `max_queued` >= 1. Throws Error (usage) when the system cannot start that many threads.
   FileSink(EncodeFunction encode, int workers, size_t max_queued);
-  /// Waits for all that was submitted. Failures nobody asked for are lost: call `drain` first.
+  /// Waits for all submitted pictures. Failures that were not thrown yet are lost: call `drain` first.
   ~FileSink();
   FileSink(const FileSink&) = delete;
   FileSink& operator=(const FileSink&) = delete;
 
-  /// Takes the image over; blocks while the queue is full. A missing folder is made. `done` runs on a worker
-  /// thread, never two at a time, only after success, and must not call the sink.
+  /// Takes the image over; blocks while the queue is full. A missing folder is created. `done` runs on a worker thread,
+  /// one at a time, only after success, and must not call the sink.
   ///
-  /// Throws the first failure of an earlier picture (Error output for what the disk or the encoder refuses),
-  /// once; this image is then not taken. The other pictures go on being written: a sink that threw is usable.
+  /// Throws the first failure of an earlier picture once (Error (output) from the disk or the encoder); this image is
+  /// then not taken. The other pictures are still written, and the sink stays usable.
   void submit(std::filesystem::path path, Image image, Done done = {}, ImageMetadata metadata = {});
 
-  /// Waits until all is written; throws as `submit`.
+  /// Waits until all pictures are written; throws as `submit`.
   void drain();
 
  private:

@@ -6,7 +6,7 @@
 namespace hybridrt {
 namespace {
 
-/// Eats bytes eight at a time; the mixing step is MurmurHash3's finaliser.
+/// Hashes bytes eight at a time; the mixing step is MurmurHash3's finaliser.
 struct Hasher {
   uint64_t state;
 

@@ -6,7 +6,7 @@
 
 namespace hybridrt {
 
-/// A 64-bit number that changes when anything in the scene changes that decides pixels. Not cryptographic.
+/// A 64-bit number that changes with anything in the scene that decides pixels. Not cryptographic.
 uint64_t fingerprint(const Scene& scene);
 
 /// The same for a frame's camera, lights and settings on top of a scene's fingerprint.

@@ -55,7 +55,7 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.mark_blur = shadows == ShadowMode::blur;
   plan.mark_exact = hybrid && shadows == ShadowMode::exact;
   plan.trace_shadows = hybrid && (plan.mark_blur || plan.mark_exact || shadows == ShadowMode::rays);
-  // The exact modes see the right triangle too, under any light.
+  // The exact modes also repair which triangle is seen, whatever the light.
   plan.repair = hybrid && (settings.shadows == ShadowMode::exact || settings.shadows == ShadowMode::rays);
   plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
 

@@ -7,7 +7,7 @@
 
 namespace hybridrt {
 
-/// What a frame's number stands for.
+/// What to render for a frame number.
 struct FrameRequest {
   int number = 1;
   Camera camera;
@@ -16,34 +16,34 @@ struct FrameRequest {
   dvec2 sample_offset_px{0};             ///< see View::sample_px
 };
 
-/// Facts about a scene that plans need; made once.
+/// Facts about a scene that plans need; computed once.
 struct SceneFacts {
-  Aabb bounds;             ///< of all triangles, scene space
-  Aabb scattering_bounds;  ///< of triangles whose material sends rays on; empty: there are none
+  Aabb bounds;             ///< box of all triangles, scene space
+  Aabb scattering_bounds;  ///< box of triangles whose material reflects or refracts; empty: there are none
 };
 SceneFacts make_scene_facts(const Scene& scene);
 
 /// True if some frame of the scene may need rays that no light buffer answers, so that a caster must be built.
 bool needs_caster(const SceneFacts& facts, const RenderSettings& settings, bool light_moves);
 
-/// Everything about a frame that is known before it is rendered: a plain value, no GL. What it leaves out
-/// costs nothing.
+/// Everything about a frame that is known before it is rendered: a plain value, no GL. What a plan leaves out costs
+/// nothing.
 struct FramePlan {
   int number = 1;
   View view;
   double near_distance = 0;  ///< nearer surfaces are cut away by pass 2
   std::vector<DirectionalLight> lights;
 
-  // What one light that casts shadows needs, all of those get.
-  bool shadows = false;          ///< at all, in mirrors too
-  bool shadow_map = false;       ///< pass 1 and the shadow test of pass 2
-  bool mark_blur = false;        ///< pass 3 as in the paper, by blurring the shadow test
-  bool mark_exact = false;       ///< pass 3 by the light buffer's cells: what they cannot answer is marked
-  bool repair = false;           ///< pass 4 first finds out which triangle is seen where the raster may be wrong
-  bool trace_shadows = false;    ///< pass 4 decides which pixels are lit
-  bool trace_scattered = false;  ///< pass 4 follows reflected and refracted rays
-  bool light_buffers = false;    ///< answer all shadow rays; else they are traced
-  bool read_ids = false, read_mask = false;  ///< readback
+  // The same for all lights that cast shadows.
+  bool shadows = false;                      ///< any shadows, also in mirrors
+  bool shadow_map = false;                   ///< pass 1 and the shadow test of pass 2
+  bool mark_blur = false;                    ///< pass 3 as in the paper, by blurring the shadow test
+  bool mark_exact = false;                   ///< pass 3 by the light buffer's cells: marks what they cannot answer
+  bool repair = false;                       ///< pass 4 first corrects ids where the raster may be wrong
+  bool trace_shadows = false;                ///< pass 4 decides which pixels are lit
+  bool trace_scattered = false;              ///< pass 4 follows reflected and refracted rays
+  bool light_buffers = false;                ///< light buffers answer all shadow rays; else they are traced
+  bool read_ids = false, read_mask = false;  ///< what is read back
 
   bool casts_shadow(size_t light) const { return shadows && lights[light].casts_shadow; }
   bool trace() const { return trace_shadows || trace_scattered || repair; }

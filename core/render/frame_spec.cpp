@@ -53,7 +53,7 @@ int64_t inverse(int64_t a, int64_t m) {
   return (x % m + m) % m;
 }
 
-/// True when both hold one frame. By the Chinese remainder theorem the frames in both are `common`, then every
+/// True if some frame is in both. By the Chinese remainder theorem the frames in both are `common`, then every
 /// lcm(steps)-th.
 bool overlap(const FrameRange& a, const FrameRange& b) {
   const int64_t divisor = std::gcd(a.step, b.step), apart = int64_t{b.first} - a.first;

@@ -12,7 +12,7 @@ struct FrameRange {
   int first = 1, last = 1, step = 1;
 };
 
-/// Frames asked for: ranges that do not overlap, in the order given.
+/// The frames to render: ranges that do not overlap, in the given order.
 struct FrameSpec {
   std::vector<FrameRange> ranges{{1, 1, 1}};
 
@@ -21,14 +21,14 @@ struct FrameSpec {
   int highest() const;
 };
 
-/// `100` = 1-100; `1-100`, `1-100:5`, `1-10,20,30-40` (inside a list a lone N is that frame; `5-5` is one
-/// frame). Throws Error(usage) naming what is wrong and what is allowed.
+/// `100` = 1-100; `1-100`, `1-100:5`, `1-10,20,30-40` (in a list a lone N is that frame; `5-5` is one frame). Throws
+/// Error(usage) naming what is wrong and what is allowed.
 FrameSpec parse_frame_spec(const std::string& text);
 
 /// `A-B` with A <= B.
 FrameRange parse_sequence(const std::string& text);
 
-/// Walks a spec without ever holding it all.
+/// Goes through a spec without listing its frames.
 class FrameCursor {
  public:
   explicit FrameCursor(FrameSpec spec) : spec_(std::move(spec)) {}

@@ -20,7 +20,7 @@ const gl::Context& require_size(const gl::Context& context, const RenderSettings
   return context;
 }
 
-/// For --aov marked; with any light.
+/// Sets the reason that --aov marked shows, in every light's mask.
 void mark_repaired(FrameSlot& slot) {
   const std::span<const uint32_t> rasterised = slot.rasterised_ids();
   const size_t pixel_count = slot.repaired_ids.size();
@@ -98,7 +98,7 @@ void GlRenderer::render(const NextFrame& next, const DeliverFrame& deliver) {
     if (!interleave) {
       trace(slot);
     } else if (slot.plan.trace()) {
-      // Traces follow one another, in the order of the frames.
+      // Traces run one after the other, in the order of the frames.
       slot.traced_done = previous_trace = start_task([this, &slot, previous_trace] {
                                             if (previous_trace.valid()) previous_trace.wait();
                                             trace(slot);
@@ -171,7 +171,7 @@ void GlRenderer::rasterize(FrameSlot& slot) {
   if (plan.read_ids) slot.ids_readback.start(slot.ids, GL_RED_INTEGER, GL_UNSIGNED_INT);
   if (plan.read_mask) slot.mask_readback.start(slot.mask, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
   slot.timer(PassId::readback).end();
-  gl_.Flush();  // or the end is stamped when the driver gets to it, after pass 4
+  gl_.Flush();  // else the driver may record the end only after pass 4
   if (plan.read_ids) slot.ids_readback.wait();
   if (plan.read_mask) slot.mask_readback.wait();
 }
@@ -211,7 +211,7 @@ double GlRenderer::upload(FrameSlot& slot) {
   const FramePlan& plan = slot.plan;
   if (!plan.trace()) return 0;
   const int width = plan.view.width_px, height = plan.view.height_px;
-  const Stopwatch copying;  // the driver copies on this thread before the GPU sees anything
+  const Stopwatch copying;  // the driver copies on this thread first
   slot.timer(PassId::upload).begin();
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (slot.cpu.stats.pixels_repaired > 0)
@@ -260,9 +260,9 @@ Frame GlRenderer::make_frame(FrameSlot& slot) const {
                                     plan.view.height_px, kept, frame.stats.pixels_hit);
   const double unpacking_ms = unpacking.elapsed_ms();
   for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
-  frame.timings[PassId::id] -= frame.timings[PassId::shadow_map];  // which lies between ids and shadow test
+  frame.timings[PassId::id] -= frame.timings[PassId::shadow_map];  // which runs between ids and shadow test
   frame.timings[PassId::trace] = slot.cpu.trace_ms;
-  frame.timings[PassId::shadow_map] += slot.cpu.light_buffer_ms;  // the other structure of pass 1
+  frame.timings[PassId::shadow_map] += slot.cpu.light_buffer_ms;  // pass 1's other structure
   frame.timings[PassId::mark] += slot.cpu.mark_ms;
   frame.timings[PassId::download] += unpacking_ms;
 

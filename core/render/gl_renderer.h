@@ -16,9 +16,9 @@
 
 namespace hybridrt {
 
-/// The paper's five passes over a sequence. With one frame in flight, pass follows pass; with more, pass 4
-/// of a frame runs on the thread pool while the GL thread draws its neighbours (section 3.5, figure 4). The
-/// pictures are the same. Lives and renders on the thread that the context is current on.
+/// The paper's five passes over a sequence. With one frame in flight, passes run one after the other; with more, pass 4
+/// of a frame runs on the thread pool while the GL thread draws its neighbours (section 3.5, figure 4). The pictures
+/// are the same. Must be used on the thread that the context is current on.
 class GlRenderer {
  public:
   /// Every frame must have `light_count` lights. `caster` may be null if !needs_caster(). Everything handed in must
@@ -36,9 +36,9 @@ class GlRenderer {
   void test_shadows(FrameSlot& slot);        ///< pass 2's second step
   void mark_boundaries(FrameSlot& slot);     ///< pass 3 on the GPU
   void trace(FrameSlot& slot);               ///< pass 4; any thread
-  double upload(FrameSlot& slot);            ///< what pass 4 made; returns this thread's milliseconds
+  double upload(FrameSlot& slot);            ///< pass 4's results; returns this thread's milliseconds
   Frame shade(FrameSlot& slot);              ///< pass 5; waits for pass 4
-  Frame make_frame(FrameSlot& slot) const;   ///< of the downloaded picture
+  Frame make_frame(FrameSlot& slot) const;   ///< from the downloaded picture
 
   const gl::Functions& gl_;
   const Scene& scene_;
@@ -55,16 +55,17 @@ class GlRenderer {
   MarkBoundaryPass mark_pass_;
   ShadePass shade_pass_;
 
-  const PixelRect part_;  ///< of the frame, rendered
+  const PixelRect part_;  ///< the part of the frame that is rendered
 
   // Used within one stage only, so one of each serves all slots.
   gl::Texture depth_, row_sums_, picture_;
   gl::TextureArray unmarked_mask_;
   gl::Readback picture_readback_;
 
-  // The lights' structures, each kept while its light stands still, a warped shadow map while the camera does, too.
+  // The lights' structures, each kept while its light stands still; a warped shadow map also needs the camera to stand
+  // still.
   struct KeptShadowMap {
-    std::optional<LightFrame> light;  ///< that it was drawn for
+    std::optional<LightFrame> light;  ///< the light that it was drawn for
     View view;
     ShadowMapFit fit;
     gl::Texture depth;

@@ -8,7 +8,7 @@
 
 namespace hybridrt {
 
-/// The light buffers of a sequence, one a light: built when first asked for, and again only when the light has moved.
+/// The light buffers of a sequence, one per light: built when first needed, and again only when the light has moved.
 class KeptLightBuffers {
  public:
   /// All three must outlive it.
@@ -17,15 +17,15 @@ class KeptLightBuffers {
   KeptLightBuffers(const KeptLightBuffers&) = delete;
   KeptLightBuffers& operator=(const KeptLightBuffers&) = delete;
 
-  /// Fills in the buffers of the job's lights that cast shadows, valid until the next call, and what hangs on them.
-  /// Returns what building took, 0 if all were kept.
+  /// Sets the buffers of the job's lights that cast shadows, valid until the next call, and eye_enclosed. Returns the
+  /// milliseconds that building took, 0 if all were kept.
   double answer(TraceJob& job) {
     double build_ms = 0;
     const LightBuffer* any = nullptr;
     buffers_.resize(job.lights.size());
     for (size_t l = 0; l < job.lights.size(); ++l)
       if (job.casts_shadow(l)) any = job.lights[l].buffer = &toward(l, job.lights[l].light.toward, build_ms);
-    job.eye_enclosed = any && may_be_enclosed(*any, job.view.eye);  // whichever light is asked
+    job.eye_enclosed = any && may_be_enclosed(*any, job.view.eye);  // the same for every light
     return build_ms;
   }
 
@@ -35,7 +35,7 @@ class KeptLightBuffers {
     if (buffer && buffer->toward == toward) return *buffer;
     const Stopwatch building;
     if (!sheets_) sheets_ = make_sheets(scene_, topology_, pool_);
-    buffer.reset();  // before its successor needs the memory
+    buffer.reset();  // frees the memory for its successor
     buffer = build_light_buffer(scene_, *sheets_, toward, pool_);
     build_ms += building.elapsed_ms();
     return *buffer;

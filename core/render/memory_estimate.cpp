@@ -11,9 +11,9 @@
 namespace hybridrt {
 namespace {
 
-// Measured on balls, a cathedral, a car and a scan of 75,000 to a million triangles: 77 to 115 and 58 to 62.
-constexpr size_t kEmbreeBytesATriangle = 90, kKdTreeBytesATriangle = 62;
-constexpr size_t kLightBufferBytesATriangle = 145;  // 85 to 130, and the sheets' 13
+// Measured on balls, a cathedral, a car and a scan, of 75,000 to a million triangles: 77 to 115 and 58 to 62.
+constexpr size_t kEmbreeBytesPerTriangle = 90, kKdTreeBytesPerTriangle = 62;
+constexpr size_t kLightBufferBytesPerTriangle = 145;  // measured: 85 to 130, plus 13 for the sheets
 
 size_t geometry_bytes(const Scene& scene) {
   return bytes_of(scene.positions) + bytes_of(scene.normals) + bytes_of(scene.triangle_positions) +
@@ -28,7 +28,7 @@ size_t rendered_pixels(const RenderSettings& s) {
 
 bool uses_gl(const RenderSettings& s) { return s.method == Method::hybrid || s.method == Method::raster; }
 
-/// The formats are those of GlRenderer and FrameSlot.
+/// The sizes follow the formats in GlRenderer and FrameSlot.
 size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t pixels = rendered_pixels(s);
   const size_t depth = 4, picture = 16 + 16;          // and its readback
@@ -42,19 +42,19 @@ size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   return bytes;
 }
 
-/// What passes 3 and 4 write in each slot; or the whole frame of render_on_cpu.
+/// What passes 3 and 4 write in each slot, or the whole frame of render_on_cpu.
 size_t cpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t lit = lights, traced = 16, ids = 4;
   if (!uses_gl(s)) return rendered_pixels(s) * (traced + ids + lit);
   size_t slot = lit + traced;
   if (s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays) slot += ids;  // repaired
-  constexpr size_t kMarked = sizeof(ShadowQuery) / 4;  // what is left of a pixel's question: of one in four
+  constexpr size_t kMarked = sizeof(ShadowQuery) / 4;  // queries left to pass 4: one pixel in four
   if (s.shadows == ShadowMode::exact) slot += lights * (1 + kMarked);
   return rendered_pixels(s) * s.frames_in_flight * slot;
 }
 
-/// FileSink's: two waiting and one in work a thread, beside the frame at hand. Three floats a pixel, and as many for
-/// an AOV at most.
+/// FileSink holds two waiting pictures and one being written per thread, besides the current frame. Three floats per
+/// pixel, and at most as many per AOV.
 size_t picture_bytes(const RenderSettings& s, int threads, int64_t frame_count) {
   const PixelRect rect = picture_rect(s);
   const auto held = static_cast<size_t>(std::min<int64_t>(frame_count, 3 * int64_t{threads} + 1));
@@ -82,12 +82,12 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
     estimate.gpu_scene = geometry_bytes(scene) + scene.materials.size() * HRT_MATERIAL_TEXELS * sizeof(vec4);
   const bool kd_tree = s.accel == Accel::kdtree || s.method == Method::reference;
   if (needs_caster(facts, s, light_moves))
-    estimate.accelerator = scene.triangle_count() * (kd_tree ? kKdTreeBytesATriangle : kEmbreeBytesATriangle);
+    estimate.accelerator = scene.triangle_count() * (kd_tree ? kKdTreeBytesPerTriangle : kEmbreeBytesPerTriangle);
   const bool scatters = s.reflection_depth > 0 && !facts.scattering_bounds.empty();
   const bool asks_light = s.method == Method::raytrace || s.shadows == ShadowMode::blur ||
                           s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays || scatters;
   if (s.method != Method::reference && s.method != Method::raster && s.shadows != ShadowMode::none && asks_light)
-    estimate.accelerator += light_count * scene.triangle_count() * kLightBufferBytesATriangle;
+    estimate.accelerator += light_count * scene.triangle_count() * kLightBufferBytesPerTriangle;
   return estimate;
 }
 

@@ -8,20 +8,20 @@
 
 namespace hybridrt {
 
-/// Bytes that a run will hold, known before it starts. Drivers add their own.
+/// Bytes that a run will hold, estimated before it starts. Drivers add their own.
 struct MemoryEstimate {
   size_t scene = 0;        ///< the arrays of Scene
-  size_t topology = 0;     ///< how its triangles hang together
-  size_t gpu_scene = 0;    ///< their copies for the GPU; 0 for methods without GL
+  size_t topology = 0;     ///< how its triangles are connected
+  size_t gpu_scene = 0;    ///< the scene's copy for the GPU; 0 for methods without GL
   size_t gpu_frames = 0;   ///< textures and readback buffers of all frames in flight, and the shadow maps
-  size_t frames = 0;       ///< what the processor keeps of them
-  size_t pictures = 0;     ///< that wait to be written, at most
-  size_t accelerator = 0;  ///< of rays, the lights' too; rough; 0 when no frame can need any
+  size_t frames = 0;       ///< what the CPU keeps of them
+  size_t pictures = 0;     ///< pictures that wait to be written, at most
+  size_t accelerator = 0;  ///< structures for rays, light buffers included; rough; 0 if no frame can need any
 
   size_t total() const { return scene + topology + gpu_scene + gpu_frames + frames + pictures + accelerator; }
 };
 
-/// The part that is known without a scene: gpu_frames, frames and pictures of a sequence of `frame_count`.
+/// The part that is known without a scene: gpu_frames, frames and pictures, for a sequence of `frame_count`.
 MemoryEstimate estimate_frame_memory(const RenderSettings& settings, size_t light_count, int threads,
                                      int64_t frame_count);
 
@@ -29,8 +29,8 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
                                const RenderSettings& settings, size_t light_count, bool light_moves, int threads,
                                int64_t frame_count);
 
-/// Throws Error (usage) that says what to do, if the frames alone need more than `most_bytes`. What is on the GPU
-/// counts too: a software GL keeps it in main memory.
+/// Throws Error (usage), saying what to do, if the frames alone need more than `most_bytes`. GPU memory counts too: a
+/// software GL keeps it in main memory.
 void require_room_for_frames(const RenderSettings& settings, size_t light_count, int threads, int64_t frame_count,
                              uint64_t most_bytes);
 

@@ -5,11 +5,11 @@
 
 namespace hybridrt {
 
-/// Where the camera is at each frame: still, on an orbit once around over `sequence`, or on a path with
-/// frame numbers of its own.
+/// Where the camera is at each frame: still, on an orbit that `sequence` covers once, or on a path with its own frame
+/// numbers.
 struct CameraMotion {
   CameraCourse course = Orbit{};
-  FrameRange sequence;  ///< the whole that a frame's number is relative to
+  FrameRange sequence;  ///< the sequence that a frame number is relative to
 };
 Camera camera_at(const CameraMotion& motion, int frame);
 
@@ -17,11 +17,11 @@ Camera camera_at(const CameraMotion& motion, int frame);
 enum class LightMode {
   fixed,        ///< stand still in the world
   with_path,    ///< the first moves with the keys of a camera path that say so, the others stand still
-  with_camera,  ///< all stand still as seen from the camera: what turns is the scene (turntables)
+  with_camera,  ///< all stand still relative to the camera, as on a turntable
 };
 
 struct LightMotion {
-  std::vector<DirectionalLight> lights;  ///< at the first frame of the sequence; their colours at all
+  std::vector<DirectionalLight> lights;  ///< at the first frame of the sequence; colours do not change
   LightMode mode = LightMode::fixed;
 };
 std::vector<DirectionalLight> lights_at(const LightMotion& motion, const CameraMotion& camera, int frame);

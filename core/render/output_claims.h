@@ -6,8 +6,8 @@
 
 namespace hybridrt {
 
-/// Claims the pictures of `frames`, and with them their AOVs: runs of other frames may go on beside this one. A range
-/// with a step counts frame by frame up to 1000 frames, beyond as if it had none. Throws as FileClaims::claim().
+/// Claims the pictures of `frames` and their AOVs: runs of other frames may go on at the same time. A range with a step
+/// is claimed frame by frame up to 1000 frames, a longer one as if it had no step. Throws as FileClaims::claim().
 [[nodiscard]] FileClaims::Answer claim_frames(FileClaims& claims, const OutputPattern& pattern,
                                               const FrameSpec& frames);
 

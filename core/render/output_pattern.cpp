@@ -13,7 +13,7 @@ struct Placeholder {
   int digits = 1;
 };
 
-/// `{frame}`, `{frame:4}` or `{frame:04}` at `begin`; throws for anything else that begins so.
+/// `{frame}`, `{frame:4}` or `{frame:04}` at `begin`; throws for anything else that begins with `{frame`.
 std::optional<Placeholder> braces_at(const std::string& text, size_t begin) {
   constexpr std::string_view kWord = "{frame";
   if (text.compare(begin, kWord.size(), kWord) != 0) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<Placeholder> next_placeholder(const std::string& text, size_t from
   return std::nullopt;
 }
 
-/// `text` with `number(digits)` for each placeholder.
+/// `text` with each placeholder replaced by `number(digits)`.
 template <typename Number>
 std::string expand(const std::string& text, bool hashes_count, const Number& number) {
   std::string result;
@@ -57,7 +57,7 @@ std::string expand(const std::string& text, bool hashes_count, const Number& num
   return result + text.substr(at);
 }
 
-/// How much of pattern.folder is the same for all frames: up to and with a '/', or nothing.
+/// The length of the part of pattern.folder that is the same for all frames: up to and including a '/', or nothing.
 size_t common_length(const OutputPattern& pattern) {
   const auto varies = next_placeholder(pattern.folder, 0, false);
   return varies ? pattern.folder.rfind('/', varies->begin) + 1 : pattern.folder.size();  // npos + 1 is 0

@@ -11,7 +11,7 @@ std::string shadows_option(const RenderSettings& s) { return fmt::format("--shad
 
 std::string pixels(const RenderSettings& s) { return fmt::format("{} x {} pixels", s.width_px, s.height_px); }
 
-/// Nothing for one.
+/// Empty for one light.
 std::string for_each_light(const FramePlan& plan) {
   return plan.lights.size() > 1 ? fmt::format(" for each of {} lights", plan.lights.size()) : std::string();
 }
@@ -33,7 +33,7 @@ StepNote shadow_map_note(const FramePlan& plan, const RenderSettings& s, bool li
 }
 
 StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
-  constexpr std::string_view kStep = "pass 3 boundaries";
+  constexpr std::string_view kStep = "pass 3 marking";
   if (plan.mark_exact) return {kStep, Runs::each_frame, "where the light buffer's cells cannot answer"};
   if (!plan.mark_blur) return left_out(kStep, shadows_option(s) + " marks none");
   return {kStep, Runs::each_frame, fmt::format("{0} x {0} blur of the shadow test", s.blur_kernel_px)};
@@ -117,7 +117,7 @@ std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& fact
           repair_note(plan),
           shadow_rays_note(plan, s),
           scattered_note(plan, facts, s),
-          {"pass 5 shading", Runs::each_frame, "once a pixel, from the ids"}};
+          {"pass 5 shading", Runs::each_frame, "once per pixel, from the ids"}};
 }
 
 }  // namespace hybridrt

@@ -18,8 +18,8 @@ struct StepNote {
   std::string why;
 };
 
-/// The steps of the frame that `plan` is for, in the order they run in, those left out too. `plan` and
-/// `facts` as made from the same settings.
+/// The steps of the frame that `plan` is for, in order, including those left out. `plan` and `facts` must belong to the
+/// same settings.
 std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& facts, const RenderSettings& settings,
                                    bool light_moves);
 

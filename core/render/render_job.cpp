@@ -40,7 +40,7 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
     facts.accel = accel;
     facts.accel_build_ms = scene_caster.build_ms;
   };
-  // The default camera may have needed one already.
+  // The default camera may have built one already.
   SceneCaster<float> built;
   const auto caster = [&]() -> const RayCaster<float>& {
     if (!job.caster.caster) built = make_scene_caster(job.scene, job.settings.accel, pool);

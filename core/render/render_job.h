@@ -14,31 +14,31 @@
 
 namespace hybridrt {
 
-/// All that decides a run, once everything asked for has been read.
+/// Everything that decides a run, after all inputs have been read.
 struct RenderJob {
   Scene scene;
-  SceneFacts facts;   ///< of `scene`
-  Topology topology;  ///< of `scene`
+  SceneFacts facts;   ///< derived from `scene`
+  Topology topology;  ///< derived from `scene`
   RenderSettings settings;
   FrameSpec frames;
   CameraMotion motion;
   LightMotion lights;
-  SceneCaster<float> caster;  ///< of `scene` by settings.accel, if it was needed already; else run() builds one
-  uint64_t most_bytes = std::numeric_limits<uint64_t>::max();  ///< of memory, as the estimates go
+  SceneCaster<float> caster;  ///< for `scene` by settings.accel, if it was needed already; else run() builds one
+  uint64_t most_bytes = std::numeric_limits<uint64_t>::max();  ///< memory limit, by the estimates
   gl::ContextRequest gl;
   gl::ShaderSources shaders;  ///< for the methods that use GL
 };
 
-/// Gives the job its scene and works out, once for the run, what hangs on it.
+/// Gives the job its scene and computes, once per run, what depends on it.
 void set_scene(RenderJob& job, Scene scene, ThreadPool& pool);
 
 /// Camera and lights of a frame.
 FrameRequest frame_request(const RenderJob& job, int frame);
 
-/// What a run turned out to be.
+/// What a run used.
 struct RunFacts {
   std::optional<gl::ContextInfo> gl;  ///< nothing for the methods without GL
-  std::string accel;                  ///< empty when no ray could be needed
+  std::string accel;                  ///< empty if no ray could be needed
   double accel_build_ms = 0;
   double ready_ms = 0;  ///< everything before the first frame
 };

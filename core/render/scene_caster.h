@@ -9,11 +9,10 @@
 
 namespace hybridrt {
 
-/// A caster, the tree that it looks into, and what building them took. Both are only read, so copies share
-/// them.
+/// A caster, its tree, and what building them took. Both are read-only, so copies share them.
 template <typename Real>
 struct SceneCaster {
-  std::shared_ptr<const KdTree> tree;  ///< null where the caster keeps its own
+  std::shared_ptr<const KdTree> tree;  ///< null if the caster holds its own
   std::shared_ptr<const RayCaster<Real>> caster;
   double build_ms = 0;
 };

@@ -11,7 +11,7 @@ namespace hybridrt {
 
 enum class Method { hybrid, raster, raytrace, reference };
 enum class ShadowMode { none, map, blur, exact, rays };
-enum class ShadowWarp { uniform, lispsm };  ///< of the shadow map of map and blur
+enum class ShadowWarp { uniform, lispsm };  ///< how `map` and `blur` fit their shadow map
 enum class Accel { kdtree, embree };
 
 inline constexpr Named<Method> kMethods[] = {{"hybrid", Method::hybrid},
@@ -31,11 +31,11 @@ constexpr std::string_view name_of(ShadowMode shadows) { return name_in(kShadowM
 constexpr std::string_view name_of(ShadowWarp warp) { return name_in(kShadowWarps, warp); }
 constexpr std::string_view name_of(Accel accel) { return name_in(kAccels, accel); }
 
-/// Which pictures besides the final one a frame keeps (the paper's figure 3); bits.
+/// Pictures of a frame besides the final one (the paper's figure 3); bits.
 enum Aov : uint32_t {
   kAovId = 1,       ///< triangle numbers hashed to colours
   kAovShadow = 2,   ///< white where the light arrives
-  kAovMarked = 4,   ///< where pass 3 asked for a shadow ray, and why: MarkReason
+  kAovMarked = 4,   ///< where pass 3 marked, and why: MarkReason
   kAovTraced = 8,   ///< light of reflected and refracted rays
   kAovDepth = 16,   ///< distance along the view, as a share of the farthest
   kAovNormal = 32,  ///< shading normal, (n + 1) / 2
@@ -47,7 +47,7 @@ inline constexpr Named<uint32_t> kAovs[] = {{"id", kAovId},         {"shadow", k
 /// Values of the AOV `marked`.
 enum MarkReason {
   kNotMarked = 0,
-  kMarkedBoundary = 1,  ///< near a shadow's edge, or not answered by the light buffer's cells; white
+  kMarkedBoundary = 1,  ///< near a shadow's edge, or unanswered by the light buffer's cells; white
   kMarkedInside = 2,    ///< its point may lie inside a closed body; red
   kMarkedRepaired = 3,  ///< another triangle than the rasterised one is seen at the pixel's centre; yellow
 };
@@ -59,9 +59,9 @@ struct PixelRect {
 
 inline constexpr int kLargestBlurKernel_px = 31;
 
-/// How frames are rendered; what is in them is Scene's and Camera's part.
+/// How frames are rendered; Scene and Camera say what is in them.
 struct RenderSettings {
-  int width_px = 1024, height_px = 768;  ///< of the frame
+  int width_px = 1024, height_px = 768;  ///< size of the frame
   std::optional<PixelRect> crop;         ///< the part of it that becomes the picture; inside the frame
   Method method = Method::hybrid;
   ShadowMode shadows = ShadowMode::exact;
@@ -69,7 +69,7 @@ struct RenderSettings {
   int shadow_map_px = 2048;
   ShadowWarp shadow_warp = ShadowWarp::lispsm;
   int reflection_depth = 4;  ///< generations after the primary one
-  int samples = 1;           ///< a pixel, averaged
+  int samples = 1;           ///< samples per pixel, averaged
   Accel accel = Accel::embree;
   int frames_in_flight = 2;
   uint32_t aovs = 0;      ///< Aov bits
@@ -77,11 +77,11 @@ struct RenderSettings {
   vec3 background{0.7f};  ///< linear
 };
 
-/// The part of the frame that is delivered: the crop or all.
+/// The part of the frame that is delivered: the crop, or all of it.
 PixelRect picture_rect(const RenderSettings& settings);
 
-/// The part that is rendered for it: what pass 3 blurs must see half a kernel beyond the crop's edges, or the
-/// pixels there would not be those of the whole frame.
+/// The part that is rendered for it: pass 3's blur must see half a kernel beyond the crop's edges, or the pixels there
+/// would differ from those of the whole frame.
 PixelRect rendered_rect(const RenderSettings& settings);
 
 /// Whether that is less than the frame.
@@ -90,13 +90,13 @@ bool renders_part(const RenderSettings& settings);
 /// Whether frames have a shadow map.
 bool uses_shadow_map(const RenderSettings& settings);
 
-/// Where the delivered part lies in the rendered one.
+/// The place of the delivered part in the rendered one.
 PixelRect kept_of_rendered(const RenderSettings& settings);
 
-/// Throws Error(usage) unless the method knows the shadows (the table in the documentation).
+/// Throws Error(usage) unless the method supports the shadow mode (the table in README.md).
 void require_method_takes(Method method, ShadowMode shadows);
 
-/// What a method renders when nothing is said: exact, map or rays.
+/// A method's default shadow mode: exact, map or rays.
 ShadowMode default_shadows(Method method);
 
 }  // namespace hybridrt

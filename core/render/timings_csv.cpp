@@ -59,7 +59,7 @@ void TimingsCsv::write_complete_rows() {
   const Clock::time_point start = Clock::now();
   if (start < next_checkpoint_) return;
   file_.checkpoint();
-  // A copy costs more the longer the file is: seldomer then, so that a million rows are not copied a million times.
+  // Copying takes longer as the file grows, so it is done less often: a million rows are not copied a million times.
   const Clock::time_point end = Clock::now();
   next_checkpoint_ = end + kCheckpointSpacing * (end - start);
 }

@@ -10,14 +10,13 @@
 
 namespace hybridrt {
 
-/// The timings CSV: one row a frame, in the order of delivery, each held back until the frame's files are
-/// written and its write_ms is known. Under its final name the file is whole at any moment, for a run may be killed:
-/// it appears with the first row and is replaced by a longer one now and then, such that this takes at most 2 % of the
-/// time (a killed run may lack the rows since the last one); finish() makes it complete. Thread-safe; add() waits for
-/// no disk.
+/// The timings CSV: one row per frame, in the order of delivery, each held back until the frame's files are written and
+/// its write_ms is known. The file is written atomically, as a run may be killed: it appears with the first row and is
+/// replaced by a longer one from time to time, which takes at most 2 % of the time (a killed run may lack the rows
+/// since the last replacement); finish() completes it. Thread-safe; add() does not wait for the disk.
 class TimingsCsv {
  public:
-  /// "-" is standard output. Throws Error(output) when the file cannot be made.
+  /// "-" is standard output. Throws Error(output) when the file cannot be created.
   explicit TimingsCsv(const std::string& path);
 
   /// `files`: how many file_written() calls will follow for this frame.
@@ -27,7 +26,7 @@ class TimingsCsv {
   /// Sum of all write_ms so far.
   double written_ms() const { return written_ms_; }
 
-  /// Makes the file complete. Throws Error(output).
+  /// Completes the file. Throws Error(output).
   void finish();
 
  private:
@@ -40,12 +39,12 @@ class TimingsCsv {
   void write_complete_rows();
   std::string take_complete_rows();
 
-  std::mutex file_mutex_;  ///< taken before mutex_ where both are
+  std::mutex file_mutex_;  ///< locked before mutex_ where both are
   OutputFile file_;
   std::chrono::steady_clock::time_point next_checkpoint_{};
 
-  std::mutex mutex_;                             ///< of what follows
-  std::map<int64_t, std::pair<int, Row>> rows_;  ///< by order of delivery: frame and row
+  std::mutex mutex_;                             ///< guards what follows
+  std::map<int64_t, std::pair<int, Row>> rows_;  ///< by order of delivery: frame number and row
   std::map<int, int64_t> order_of_frame_;
   int64_t delivered_ = 0;
   double written_ms_ = 0;

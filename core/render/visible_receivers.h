@@ -10,8 +10,8 @@
 
 namespace hybridrt {
 
-/// What a warped shadow map is fitted to: all that the whole frame sees, whatever part of it is rendered, so that a
-/// part has the whole's pixels.
+/// What a warped shadow map is fitted to: all that the whole frame sees, even if only a part is rendered, so that a
+/// part has the same pixels as the whole.
 class VisibleReceivers {
  public:
   VisibleReceivers(const gl::Functions& gl, const gl::ShaderSources& shaders, const RenderSettings& settings);
@@ -21,9 +21,9 @@ class VisibleReceivers {
     const IdBufferPass& id_pass;
     const View& view;
     double near_distance;
-    const gl::Texture& depth;  ///< of the view, by `id_pass`
+    const gl::Texture& depth;  ///< the view's depth, from `id_pass`
   };
-  /// As receiver_hull() has them. Waits for the GPU.
+  /// The points of receiver_hull(). Waits for the GPU.
   std::vector<dvec3> find(const In& in);
 
  private:
@@ -35,7 +35,7 @@ class VisibleReceivers {
   ReceiverDepthsPass pass_;
   gl::Texture blocks_;
   gl::Readback readback_;
-  std::optional<WholeFrame> whole_frame_;  ///< where only a part is rendered
+  std::optional<WholeFrame> whole_frame_;  ///< if only a part is rendered
 };
 
 }  // namespace hybridrt

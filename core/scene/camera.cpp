@@ -11,8 +11,8 @@ constexpr double kOrbitElevation_rad = 22 * kPi / 180;
 constexpr double kOrbitStart_rad = 30 * kPi / 180;  // a three-quarter view of things that face +z
 constexpr double kMargin = 1.04;
 
-/// Seen from all around, a scene sweeps a solid of revolution about the upright axis through its middle;
-/// this is that solid cut into level slices.
+/// Turned about the upright axis through its middle, a scene sweeps a solid of revolution; this is a level slice of
+/// that solid.
 struct Slice {
   double height, radius;
 };
@@ -42,8 +42,8 @@ struct Picture {
   double tan_half_width, tan_half_height;
 };
 
-/// From how far away all rims of the silhouette fit between the picture's edges: a point (x, y) across and z
-/// toward the eye needs a distance of z + |x| / tan_half_width and of z + |y| / tan_half_height.
+/// The distance from which all rims of the silhouette fit between the picture's edges: a point (x, y) across and z
+/// toward the eye needs z + |x| / tan_half_width and z + |y| / tan_half_height.
 double distance_for(const Silhouette& silhouette, double target_height, const Picture& picture) {
   const double sine = std::sin(kOrbitElevation_rad), cosine = std::cos(kOrbitElevation_rad);
   double distance = 0;
@@ -97,7 +97,7 @@ Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad) {
   const Silhouette silhouette = sweep(scene);
   const Picture picture{std::tan(0.5 * fov_y_rad) * aspect, std::tan(0.5 * fov_y_rad)};
 
-  // The height to look at that lets the camera come nearest; the distance is convex in it.
+  // The height to look at from which the camera comes nearest; the distance is convex in it.
   double low = silhouette.front().height, high = silhouette.back().height;
   for (int step = 0; step < 60; ++step) {
     const double a = low + (high - low) / 3, b = high - (high - low) / 3;

@@ -8,7 +8,7 @@
 namespace hybridrt {
 namespace {
 
-/// Where a frame falls: `share` (0..1) of the way from key `from` to the next one.
+/// The place of a frame: `share` (0..1) of the way from key `from` to the next one.
 struct Segment {
   size_t from = 0;
   double share = 0;
@@ -27,8 +27,8 @@ Segment find_segment(size_t count, double frame, const FrameOf& frame_of) {
   return {low, (frame - frame_of(low)) / (frame_of(high) - frame_of(low))};
 }
 
-/// The curve from p[1] to p[2] by Barry and Goldman's pyramid; knots lie apart by the square roots of the
-/// distances. Exact at both ends.
+/// The curve from p[1] to p[2] by Barry and Goldman's pyramid; knots are spaced by the square roots of the distances.
+/// Exact at both ends.
 dvec3 centripetal_catmull_rom(const std::array<dvec3, 4>& p, double share) {
   if (share <= 0) return p[1];
   if (share >= 1) return p[2];
@@ -47,7 +47,7 @@ dvec3 centripetal_catmull_rom(const std::array<dvec3, 4>& p, double share) {
   return blend(b1, b2, 0, inner);
 }
 
-/// `value(i)` of keys 0..count-1 along the curve. Beyond the ends it goes on as it came.
+/// Interpolates `value(i)` of keys 0..count-1 along the curve, which goes straight on beyond the ends.
 template <typename Value>
 dvec3 along_curve(size_t count, const Segment& segment, const Value& value) {
   if (count == 1) return value(0);
@@ -57,7 +57,7 @@ dvec3 along_curve(size_t count, const Segment& segment, const Value& value) {
       {i > 0 ? value(i - 1) : 2.0 * p1 - p2, p1, p2, i + 2 < count ? value(i + 2) : 2.0 * p2 - p1}, segment.share);
 }
 
-/// As above, for directions: unit. Where the curve goes through zero (opposite keys), the earlier key's.
+/// The same for unit directions. Where the curve goes through zero (opposite keys), that of the earlier key.
 template <typename Value>
 dvec3 direction_along(size_t count, const Segment& segment, const Value& value) {
   const dvec3 v = along_curve(count, segment, value);

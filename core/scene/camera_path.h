@@ -15,21 +15,21 @@ struct CameraKey {
   std::optional<dvec3> light_toward;  ///< unit
 };
 
-/// A camera that moves from key to key, held before the first and after the last.
+/// A camera that moves from key to key and stands still before the first and after the last.
 struct CameraPath {
   std::vector<CameraKey> keys;  ///< at least one; frames strictly ascending
 };
 
-/// Between keys, eye and target each go along a centripetal Catmull-Rom curve (no loops or cusps, however
-/// uneven the keys; Yuksel, Schaefer, Keyser: Parameterization and applications of Catmull-Rom curves, 2011),
-/// covering a segment's parameter evenly in time; `up` goes the same way and is made unit; the field of view
-/// never leaves the range of the two keys around it (Fritsch and Butland, 1984).
+/// Between keys, eye and target each go along a centripetal Catmull-Rom curve (no loops or cusps, however uneven the
+/// keys; Yuksel, Schaefer, Keyser: Parameterization and applications of Catmull-Rom curves, 2011), with a segment's
+/// parameter even in time; `up` follows the same kind of curve and is normalised; the field of view never leaves the
+/// range of the two keys around it (Fritsch and Butland, 1984).
 Camera camera_on_path(const CameraPath& path, double frame);
 
-/// Unit, toward the light, along the keys that have one; nothing if none has.
+/// The unit direction toward the light, along the keys that have one; nothing if none has.
 std::optional<dvec3> light_on_path(const CameraPath& path, double frame);
 
-/// What a camera file can say.
+/// What a camera file can describe.
 using CameraCourse = std::variant<Camera, Orbit, CameraPath>;
 
 }  // namespace hybridrt

@@ -6,12 +6,12 @@
 
 namespace hybridrt {
 
-/// Two directions across a light's, with it a right-handed orthonormal frame: x, y, toward.
+/// Two directions across the light's. x, y, toward are a right-handed orthonormal frame.
 struct LightAxes {
   dvec3 x, y;
 };
 
-/// `toward` unit.
+/// `toward` must be unit.
 inline LightAxes light_axes(const dvec3& toward) {
   const dvec3 other = std::abs(toward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
   const dvec3 x = glm::normalize(glm::cross(other, toward));

@@ -28,8 +28,8 @@ struct Material {
   float opacity = 1;  ///< MTL d: 1 opaque, 0 clear
   vec3 tf{1};         ///< transmission filter
   int illum = 2;
-  std::vector<TextureMap> maps;  ///< at most one of a kind; what they change is multiplied by them
-  uint32_t texture_maps = 0;     ///< where Textures has them; 0: none
+  std::vector<TextureMap> maps;  ///< at most one per kind; they multiply what they change
+  uint32_t texture_maps = 0;     ///< their place in Textures; 0: none
 
   vec3 reflect{0};   ///< weight of a mirror ray at normal incidence; 0 = none
   vec3 transmit{0};  ///< weight of a refracted ray; 0 = none

@@ -28,17 +28,17 @@ struct Scene {
 
   std::vector<vec3> positions;               ///< scene space, finite
   std::vector<vec3> normals;                 ///< unit, scene space
-  std::vector<uvec3> triangle_positions;     ///< three indices into `positions` a triangle
-  std::vector<uvec3> triangle_normals;       ///< three indices into `normals` a triangle
+  std::vector<uvec3> triangle_positions;     ///< three indices into `positions` per triangle
+  std::vector<uvec3> triangle_normals;       ///< three indices into `normals` per triangle
   std::vector<uint32_t> triangle_materials;  ///< index into `materials`
   std::vector<Material> materials;           ///< resolved; at least one
 
-  std::shared_ptr<const Textures> textures;  ///< null where no triangle's material has a map
+  std::shared_ptr<const Textures> textures;  ///< null if no triangle's material has a map
 
-  Aabb bounds;  ///< of all triangles, scene space
+  Aabb bounds;  ///< box of all triangles, scene space
 
   // Where it came from, for reports.
-  std::vector<std::string> files;   ///< all that were read, in that order
+  std::vector<std::string> files;   ///< all that were read, in order
   size_t built_normal_corners = 0;  ///< corners that got their normal from the faces around
 
   size_t triangle_count() const { return triangle_positions.size(); }
@@ -53,8 +53,8 @@ struct Scene {
 /// Bounds of the triangles (unused vertices do not count).
 Aabb compute_bounds(const Scene& scene);
 
-/// Throws CheckFailed unless every array has its promised size, every index is in range, every number
-/// finite and every normal unit within 1e-3. Loaders call it last.
+/// Throws CheckFailed unless every array has the size stated above, every index is in range, every number finite and
+/// every normal unit within 1e-3. Loaders call it last.
 void validate(const Scene& scene);
 
 }  // namespace hybridrt

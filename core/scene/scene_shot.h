@@ -8,8 +8,8 @@
 
 namespace hybridrt {
 
-/// How a procedural scene is best looked at. What is absent is left to the defaults that any scene has (an
-/// orbit around it, a light over the camera's left shoulder).
+/// How to look at a procedural scene. What is absent is left to the defaults of any scene (an orbit around it, a light
+/// over the camera's left shoulder).
 struct SceneShot {
   std::optional<Camera> camera;
   std::optional<std::vector<DirectionalLight>> lights;

@@ -16,7 +16,7 @@ struct TextureMap {
   MapKind kind = MapKind::diffuse;
   std::filesystem::path path;  ///< empty: there is no such file
   vec2 scale{1}, offset{0};    ///< -s, -o
-  bool clamped = false;        ///< -clamp on: the edge goes on outside of the image; else the image repeats
+  bool clamped = false;        ///< -clamp on: the edge goes on outside the image; else the image repeats
   float base = 0, gain = 1;    ///< -mm
   bool alone = false;          ///< the colour that it multiplies was not given: it counts as 1
   char channel = 0;            ///< -imfchan: r, g, b, m (alpha), l (luminance), z; 0: not given

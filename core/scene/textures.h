@@ -9,10 +9,10 @@
 
 namespace hybridrt {
 
-/// The textures of a scene and where they lie on its triangles. Filled while loading and then only read and shared: it
-/// outlives the scene that it came with, for structures that ask it for holes.
+/// The textures of a scene and where they lie on its triangles. Filled while loading, then only read and shared:
+/// structures that ask it for holes may outlive the scene.
 struct Textures {
-  std::vector<uint32_t> words;            ///< all textures, as shaders/shared.h says
+  std::vector<uint32_t> words;            ///< all textures, laid out as in shaders/shared.h
   std::vector<vec2> texcoords;            ///< v grows upward in the image
   std::vector<uvec3> triangle_texcoords;  ///< three indices into `texcoords` a triangle
   std::vector<uint32_t> triangle_maps;    ///< Material::texture_maps of each triangle
@@ -26,9 +26,9 @@ struct Textures {
   }
 };
 
-/// Words that a GPU can hold as one texture, 16384 by 16384.
+/// Most words of all textures: a GPU texture of 16384 by 16384.
 inline constexpr uint64_t kMostTextureWords = uint64_t{1} << 28;
-/// Of one texture.
+/// Largest side of one texture.
 inline constexpr int kLargestTextureSide_px = 16384;
 inline constexpr uint64_t kMostTexels = uint64_t{1} << 27;
 

@@ -9,9 +9,9 @@ namespace hybridrt {
 enum class UpAxis { y, z };
 inline constexpr Named<UpAxis> kUpAxes[] = {{"y", UpAxis::y}, {"z", UpAxis::z}};
 
-/// A point or direction of the files as the loaded scene has it: (x, y, z) -> (x, z, -y) where z is up, a
-/// quarter turn about x that loses no bit. Numbers that a user gives for a scene (a camera, a light) are in
-/// the axes of its files and go through here too.
+/// Turns a point or direction from the files' axes to the loaded scene's: (x, y, z) -> (x, z, -y) where z is up, a
+/// quarter turn about x that is exact. A user's numbers for a scene (a camera, a light) are in the axes of its files
+/// and are turned too.
 template <typename Real>
 [[nodiscard]] Vec3<Real> y_up_from_files(UpAxis up, const Vec3<Real>& v) {
   return up == UpAxis::y ? v : Vec3<Real>(v.x, v.z, -v.y);

@@ -47,7 +47,7 @@ View whole_frame_of(const View& part) {
 
 dmat4 clip_from_eye(const View& view, double near_distance) {
   const dvec3& w = view.forward;
-  // What is seen at the sample moves to the centre, where rasterising looks.
+  // Moves what the sample sees to the pixel's centre, where the raster looks.
   const dvec3 x = view.right / view.tan_half_width - 2 * view.sample_px.x / view.frame_width_px * w;
   const dvec3 y = view.up / view.tan_half_height + 2 * view.sample_px.y / view.frame_height_px * w;
   return glm::transpose(dmat4(dvec4(x, 0), dvec4(y, 0), dvec4(0, 0, 0, near_distance), dvec4(w, 0)));

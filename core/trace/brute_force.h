@@ -8,8 +8,8 @@
 
 namespace hybridrt {
 
-/// The oracle of the tests: every triangle is asked. Same contract as RayCaster::closest_hits for one ray;
-/// double is the truth, float what a float caster should answer to the last bit.
+/// The oracle of the tests: tests every triangle. Same contract as RayCaster::closest_hits for one ray; double is the
+/// truth, float what a float caster should answer to the last bit.
 template <typename Real>
 Hit<Real> brute_force_hit(const Scene& scene, const Ray<Real>& ray) {
   if (!is_traceable(ray.origin, ray.dir)) return {};
@@ -25,7 +25,7 @@ Hit<Real> brute_force_hit(const Scene& scene, const Ray<Real>& ray) {
   return nearest.result();
 }
 
-/// Any triangle but the query's own between its origin and the light, or kNoTriangle: what shadow_answers() must know.
+/// Any triangle but the query's own between its origin and the light, or kNoTriangle: what shadow_answers() must find.
 inline uint32_t brute_force_occluder(const Scene& scene, const dvec3& toward, const ShadowQuery& query) {
   const ShearedRay<double> ray = shear_ray(query.origin, toward);
   for (uint32_t triangle = 0; triangle < scene.triangle_count(); ++triangle) {

@@ -139,7 +139,7 @@ class EmbreeCaster final : public RayCaster<float> {
 
     const Owned<RTCGeometry> geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
     rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_HIGH);
-    // Embree reads 16 bytes for each vertex: its own buffers are padded for that, ours are not.
+    // Embree reads 16 bytes per vertex: its own buffers are padded for that, ours are not.
     auto* const vertices = static_cast<vec3*>(rtcSetNewGeometryBuffer(
         geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), scene.positions.size()));
     auto* const indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0,
@@ -158,7 +158,7 @@ class EmbreeCaster final : public RayCaster<float> {
     if (kept.size() == scene.triangle_count()) triangle_of_primitive_ = {};
   }
 
-  /// Embree's filter function: takes hits in holes back.
+  /// Embree's filter function: rejects hits in holes.
   static void pass_holes(const RTCFilterFunctionNArguments* args) {
     const auto& caster = *static_cast<const EmbreeCaster*>(args->geometryUserPtr);
     for (unsigned i = 0; i < args->N; ++i) {
@@ -169,7 +169,7 @@ class EmbreeCaster final : public RayCaster<float> {
     }
   }
 
-  /// False for rays that cannot hit anything. Embree's range is closed, ours is open.
+  /// False for rays that cannot hit anything. Embree's range of t is closed, ours is open.
   static bool fill(const Ray<float>& ray, RTCRay& query) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     if (!is_traceable(ray.origin, ray.dir)) return false;
@@ -190,7 +190,7 @@ class EmbreeCaster final : public RayCaster<float> {
   const EmbreeRays going_;
   Owned<RTCDevice> device_;
   Owned<RTCScene> scene_;
-  std::vector<uint32_t> triangle_of_primitive_;  ///< empty: the same
+  std::vector<uint32_t> triangle_of_primitive_;  ///< empty: the same numbers
   std::shared_ptr<const Textures> holes_;        ///< null where no triangle has any
 };
 

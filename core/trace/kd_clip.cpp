@@ -5,8 +5,8 @@
 namespace hybridrt {
 namespace {
 
-// A convex polygon gains at most one corner a plane: 9 after six planes. Rounding can bend the polygon out
-// of convexity; twice that room is never reached, and the loop stops there all the same.
+// A convex polygon gains at most one corner per plane: 9 after six planes. Rounding may make the polygon slightly
+// concave; twice that room is never reached, and the loop stops there all the same.
 constexpr int kMaxCorners = 18;
 
 struct Polygon {

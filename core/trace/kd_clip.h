@@ -8,9 +8,9 @@
 
 namespace hybridrt {
 
-/// Bounds of the part of a triangle that lies in `box`, rounded outwards to float and never larger than
-/// `box`, or nothing where the triangle keeps away from the box by more than `margin`. Source: Sutherland
-/// and Hodgman, "Reentrant polygon clipping", 1974.
+/// Bounds of the part of a triangle that lies in `box`, rounded outwards to float and never larger than `box`, or
+/// nothing if the triangle is farther than `margin` from the box. Source: Sutherland and Hodgman, "Reentrant polygon
+/// clipping", 1974.
 std::optional<Aabb> clip_triangle(const vec3& v0, const vec3& v1, const vec3& v2, const Aabb& box, double margin);
 
 /// Hands each half of `ref`, clipped to its child cell, to `left` or `right`; most references lie on one

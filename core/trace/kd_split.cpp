@@ -7,16 +7,16 @@
 namespace hybridrt {
 namespace {
 
-// Measured: a test of four triangles costs about as much as a step down, whose branch is hard to foresee.
+// Measured: a test of four triangles costs about as much as a step down, whose branch is hard to predict.
 constexpr float kStepCost = 1.0f;
 constexpr float kLeafCost = 1.0f;       // entering a leaf at all
 constexpr float kFourTestsCost = 0.6f;  // four triangle tests at once
-constexpr float kEmptyBonus = 0.9f;     // planes that cut off empty space look this much cheaper
+constexpr float kEmptyBonus = 0.9f;     // factor for planes that cut off empty space
 constexpr int kBins = 64;
-constexpr size_t kSweepMax = 48;  // up to here all planes are tried
+constexpr size_t kSweepMax = 48;  // references; up to here all planes are tried
 constexpr size_t kBinGrain = 1 << 15;
 
-// In double: the product of two extents may overflow or vanish in float.
+// In double: the product of two extents may overflow or underflow in float.
 double half_area(const dvec3& extent) { return extent.x * extent.y + extent.y * extent.z + extent.z * extent.x; }
 
 /// Collects the best of the planes offered to it.
@@ -111,7 +111,7 @@ Bins count_bins(std::span<const KdReference> refs, const Aabb& bounds, const vec
   return bins;
 }
 
-/// `reduce(part, partial result)` in the order of the parts, so that threads leave no trace.
+/// Calls `reduce(part, partial result)` in the order of the parts, so that threads do not affect the result.
 template <typename Result, typename Map, typename Reduce>
 void map_reduce(std::span<const KdReference> refs, ThreadPool* pool, const Map& map, const Reduce& reduce) {
   if (!pool || refs.size() <= kBinGrain) return reduce(map(refs));

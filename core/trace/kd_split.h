@@ -30,7 +30,7 @@ float kd_leaf_cost(size_t references);
 /// no plane to choose. `pool` may be null (then serial); the answer does not depend on it.
 std::optional<KdSplit> find_kd_split(std::span<const KdReference> refs, const Aabb& box, ThreadPool* pool);
 
-/// Whether `ref` lies below, above or on both sides of the plane.
+/// Whether `ref` lies below the plane, above it or on both sides.
 enum class KdSide { left, right, both };
 inline KdSide side_of(const KdReference& ref, const KdSplit& split) {
   const float lo = ref.box.lo[split.axis], hi = ref.box.hi[split.axis];

@@ -9,10 +9,10 @@ namespace {
 
 constexpr double kDivisionBytes = 2 * sizeof(KdNode);
 
-// The heuristic looks one step ahead, and would leave a bundle of long diagonal triangles in one leaf: the
-// first plane gains nothing, but lets the second cut off empty corners. So large cells are halved all the
-// same, a few times on the way to a leaf. Source of the idea: Pharr, Jakob, Humphreys, "Physically Based
-// Rendering", 2016, section 4.4 ("bad refines").
+// The heuristic looks one step ahead, and would leave a bundle of long diagonal triangles in one leaf: the first plane
+// gains nothing, but lets the second cut off empty corners. So large cells are split against its advice, a few times on
+// the way to a leaf. Source of the idea: Pharr, Jakob, Humphreys, "Physically Based Rendering", 2016, section 4.4 ("bad
+// refines").
 constexpr int kMaxGainless = 4;
 constexpr size_t kWorthInsisting = 64;  // references
 
@@ -33,7 +33,7 @@ class SubtreeBuilder {
   }
 
  private:
-  /// The cell's references are those of the stack from `begin` on; they are gone afterwards.
+  /// The cell's references are those on the stack from `begin` on; they are removed.
   void divide(uint32_t node, const KdCell& cell, size_t begin) {
     const std::span<const KdReference> refs(stack_.data() + begin, stack_.size() - begin);
     auto division = divide_cell(input_, cell, refs, nullptr);

@@ -19,10 +19,10 @@ struct KdCell {
   double budget_bytes = 0;  ///< left for the nodes and duplicate references below this cell
 };
 
-/// What stays the same all over the tree.
+/// What is the same all over the tree.
 struct KdBuildInput {
   const Scene& scene;
-  double clip_margin;  ///< scene units; rounding of the clipped corners stays below it
+  double clip_margin;  ///< scene units; bounds the rounding of clipped corners
   int max_depth;
 };
 
@@ -35,8 +35,8 @@ struct KdDivision {
 std::optional<KdDivision> divide_cell(const KdBuildInput& input, const KdCell& cell, std::span<const KdReference> refs,
                                       ThreadPool* pool);
 
-/// Takes the cost of a division, now that its references are known, off the cell's budget and shares the
-/// rest out by the number of references. False where the budget does not reach.
+/// Deducts the cost of a division, now that its references are known, from the cell's budget and divides the rest in
+/// proportion to the references. False if the budget does not suffice.
 bool share_budget(const KdCell& cell, size_t refs, size_t left_refs, size_t right_refs, KdDivision& division);
 
 /// A part of the tree built by one thread: laid out as in KdTree, but leaves hold the scene's indices.

@@ -22,8 +22,8 @@ HWY_BEFORE_NAMESPACE();
 namespace hybridrt {
 namespace HWY_NAMESPACE {
 
-/// A ray as the planes of the tree see it. Decisions at planes err on the side of visiting too much:
-/// wherever a ray passes a plane within `slack` both sides are visited. The slack covers
+/// A ray prepared for the planes of the tree. Decisions at planes err on the side of visiting too much: wherever a ray
+/// passes a plane within `slack` both sides are visited. The slack covers
 ///  - the rounding of the distance to a plane (origins far away, almost parallel rays),
 ///  - the shear of the triangle test, which moves the corners by up to 3 epsilon times their distance: what
 ///    it then hits may lie in a cell that the exact ray misses by as much, and would leak there,
@@ -36,14 +36,14 @@ struct PlaneRay {
     Real slack;                ///< in units of t
   } axes[3];                   // an array: glm's vectors index by branches
   uint32_t near_is_right = 0;  ///< bit k is set where the ray goes down axis k
-  Real t_near, t_far;          ///< where the ray crosses the bounds, cut to its own range
+  Real t_near, t_far;          ///< where the ray crosses the bounds, clipped to its own range
 
   PlaneRay(const Aabb& bounds, const Ray<Real>& ray) : t_near(ray.t_min), t_far(ray.t_max) {
     constexpr bool kIsDouble = std::numeric_limits<Real>::digits > 24;
     constexpr Real kLargest = std::numeric_limits<Real>::max() / 4;
     const Vec3<Real> lo = Vec3<Real>(bounds.lo) - ray.origin, hi = Vec3<Real>(bounds.hi) - ray.origin;
-    Real reach = largest(glm::max(glm::abs(lo), glm::abs(hi)));  // of coordinates relative to the origin
-    if (kIsDouble) reach += largest(glm::abs(ray.origin));       // clipping worked with absolute ones
+    Real reach = largest(glm::max(glm::abs(lo), glm::abs(hi)));  // largest coordinate relative to the origin
+    if (kIsDouble) reach += largest(glm::abs(ray.origin));       // clipping worked with absolute coordinates
     const Real error = reach * (kIsDouble ? Real(1e-12) : 5 * std::numeric_limits<Real>::epsilon());
 
     for (int k = 0; k < 3; ++k) {
@@ -107,7 +107,7 @@ Hit<Real> traverse(const KdTree& tree, const Ray<Real>& ray) {
       if (kAny && nearest.found()) return nearest.result();
     }
 
-    // The next cell that begins no later than the nearest hit.
+    // On to the next cell that begins no later than the nearest hit.
     do {
       if (todo_count == 0) return nearest.result();
       --todo_count;

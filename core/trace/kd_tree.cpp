@@ -21,12 +21,12 @@ constexpr size_t kSubtreeShare = 128;
 constexpr size_t kSubtreeMin = 4096;
 constexpr size_t kSplitGrain = 1 << 14;
 
-// For nodes and duplicate references: with its record (48 bytes) and its first reference (4 bytes) a
-// triangle then never costs more than 116 bytes.
+// For nodes and duplicate references. With its record (48 bytes) and first reference (4 bytes) a triangle never costs
+// more than 116 bytes.
 constexpr double kBudgetBytesPerTriangle = 64;
 
 struct PendingSubtree {
-  uint32_t node;  ///< of the top tree, to be replaced by the subtree's root
+  uint32_t node;  ///< node of the top tree that the subtree's root replaces
   KdCell cell;
   std::vector<KdReference> refs;
   KdSubtree built;
@@ -95,7 +95,7 @@ void divide_top(const KdBuildInput& input, uint32_t node, const KdCell& cell, st
   top.pending.push_back({node, cell, std::move(refs), {}});
 }
 
-/// Appends a subtree behind the nodes and leaves that are there; its root replaces `node`.
+/// Appends a subtree after the existing nodes and leaves; its root replaces `node`.
 void graft(KdSubtree subtree, uint32_t node, KdTree& tree) {
   const size_t node_offset = tree.nodes.size() - 2, leaf_offset = tree.leaf_triangles.size();
   HRT_CHECK(node_offset + subtree.nodes.size() < (1u << 30));

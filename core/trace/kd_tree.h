@@ -11,7 +11,7 @@
 
 namespace hybridrt {
 
-/// Depth of the deepest leaf (the root has 0); bounds the stack of a traversal.
+/// Largest depth of a leaf (the root has 0); bounds the stack of a traversal.
 inline constexpr int kKdMaxDepth = 62;
 
 /// 8 bytes, after Wald, "Realtime Ray Tracing and Interactive Global Illumination", 2004, ch. 7. The low two
@@ -56,13 +56,13 @@ struct alignas(16) KdTriangle {
 };
 static_assert(sizeof(KdTriangle) == 48);
 
-/// A kd-tree over the triangles of one scene; only data, see build_kd_tree and make_kd_caster. Independent
-/// of the scene it was built from (it holds copies of the corners, and the textures with it if these have holes). Never
-/// more than 120 bytes a triangle.
+/// A kd-tree over the triangles of one scene; only data, see build_kd_tree and make_kd_caster. Independent of the scene
+/// it was built from (it holds copies of the corners, and shares the textures if they have holes). Never more than 120
+/// bytes per triangle.
 struct KdTree {
-  Aabb bounds;                            ///< of the triangles that can be hit; empty without any
+  Aabb bounds;                            ///< box of the triangles that can be hit; empty without any
   std::vector<KdNode> nodes;              ///< [0] is the root, [1] unused: siblings start at even indices
-  std::vector<uint32_t> leaf_triangles;   ///< indices into `triangles`, a range a leaf
+  std::vector<uint32_t> leaf_triangles;   ///< indices into `triangles`, a range per leaf
   std::vector<KdTriangle> triangles;      ///< in the order of the leaves; degenerate ones are left out
   std::shared_ptr<const Textures> holes;  ///< asked at every hit; null where no triangle has holes
 };
@@ -78,7 +78,7 @@ KdTree build_kd_tree(const Scene& scene, ThreadPool& pool);
 /// Bytes of a finished tree, its triangle records included.
 size_t memory_bytes(const KdTree& tree);
 
-/// The numbers that tell whether a tree is a good one.
+/// Numbers that tell how good a tree is.
 struct KdTreeShape {
   size_t inner_nodes = 0, leaves = 0, empty_leaves = 0, references = 0, largest_leaf = 0;
   int depth = 0;

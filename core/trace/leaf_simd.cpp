@@ -26,8 +26,8 @@ struct Corners {
   Floats x, y, z;
 };
 
-/// intersect_triangle in four lanes: the same operations in the same order, so that it rounds the same.
-/// Lanes for which that function turns to double are handed to it.
+/// intersect_triangle in four lanes: the same operations in the same order, so that it rounds the same. Lanes for which
+/// that function falls back to double are passed to it.
 class FourLeaf {
  public:
   FourLeaf(const KdTree& tree, const Ray<float>& ray)

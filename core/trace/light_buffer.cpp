@@ -21,8 +21,8 @@ class Lookup {
         // Only `origin` differs between the queries.
         ray_(shear_ray(dvec3(0), buffer.toward)) {}
 
-  /// Memory is what queries wait for, so a group of them goes through each step together: first all cells are
-  /// sent for, then all first entries.
+  /// Queries wait for memory, so a group of them goes through each step together: first all cells are prefetched, then
+  /// all first entries.
   static constexpr size_t kGroup = 16;
   void answer_group(const ShadowQuery* queries, size_t count, uint8_t* occluded) const {
     Place places[kGroup];
@@ -39,7 +39,7 @@ class Lookup {
     for (size_t i = 0; i < count; ++i) answers[i] = answer_of_cell(queries[i], places[i]);
   }
 
-  /// How often the ray leaves closed bodies, less how often it enters them.
+  /// How often the ray leaves closed bodies, minus how often it enters them.
   int surplus_of_exits(const dvec3& origin) const {
     const ShadowQuery query{origin};
     const LightCell* cell = place_of(origin).cell;
@@ -53,7 +53,7 @@ class Lookup {
 
  private:
   struct Place {
-    const LightCell* cell = nullptr;  ///< null beside the grid, where nothing is met
+    const LightCell* cell = nullptr;  ///< null outside the grid, where nothing is met
     float x, y, depth;                ///< in the cell's coordinates
   };
 
@@ -123,14 +123,14 @@ class Lookup {
     return facing > 0 ? buffer_.sides[triangle] : -buffer_.sides[triangle];
   }
 
-  /// On the inner side of its own triangle.
+  /// Whether the query starts on the inner side of its own triangle.
   bool starts_inside(const ShadowQuery& query) const {
     if (query.triangle == kNoTriangle) return false;
     const int8_t side = buffer_.sides[query.triangle];
     return query.from_front ? side < 0 : side > 0;
   }
 
-  /// It leaves a triangle that belongs to no closed body, and that is among the cell's.
+  /// Whether the query leaves a triangle that belongs to no closed body; the cell then lists it.
   bool is_open(const ShadowQuery& query) const { return query.is_precise && buffer_.sides[query.triangle] == 0; }
 
   bool meets(const ShadowQuery& query, uint32_t triangle) const {
@@ -173,9 +173,9 @@ void answers_of_cells(const LightBuffer& buffer, std::span<const ShadowQuery> qu
 }
 
 bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye) {
-  // A ray through an edge meets both its triangles, and the sum means nothing: scenes are symmetrical, and cameras
-  // stand in the middle of them. A camera that lies on the floor sees both of its sides. So it is points around the
-  // eye that are asked, a little beside where edges go.
+  // A ray through an edge meets both its triangles, and the sum is meaningless. That is common: scenes are symmetrical,
+  // and cameras stand in the middle of them. A camera that lies on the floor sees both of its sides. So points around
+  // the eye are asked, slightly off the places where edges tend to lie.
   const dvec3 size = glm::max(glm::abs(eye), dvec3(buffer.scene->bounds.extent()));
   const double step = 1e-9 * std::max({size.x, size.y, size.z});
   const Lookup lookup(buffer);

@@ -18,13 +18,13 @@ namespace hybridrt {
 // the light buffer of Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 6(9),
 // 1986.
 //
-// Light space: x and y across the light's direction, z along it, growing away from the light. A grid of cells
-// over x and y lists the triangles over each cell, nearest first.
+// Light space: x and y across the light's direction, z along it, growing away from the light. A grid of cells in x and
+// y lists the triangles over each cell, nearest first.
 //
-// Only half of a closed body is needed. A ray that starts outside it and reaches infinity enters it as often
-// as it leaves it, so it meets the body exactly when it meets one of the triangles that it enters by, those
-// that face away from the light. A lit surface then never finds itself or its neighbours in its way, and
-// needs no bias. The other half is kept apart, for queries that may start inside something.
+// Only half of a closed body is needed. A ray that starts outside it and reaches infinity enters it as often as it
+// leaves it, so it meets the body exactly when it meets one of the triangles that it enters by, those that face away
+// from the light. A lit surface then never finds itself or its neighbours in its way, and needs no bias. The other half
+// is kept separately, for queries that may start inside something.
 
 /// One triangle over one cell, in the cell's own coordinates: x and y in [-1, 1]. Lanes 0-2 of
 /// a x + b y + c are the signed distances to the triangle's edges (positive inside), lane 3 is minus the
@@ -39,15 +39,15 @@ struct alignas(64) LightEntry {
 static_assert(sizeof(LightEntry) == 64);
 
 struct LightCell {
-  uint32_t first;  ///< of its entries; they end where the next cell's begin
-  float nearest;   ///< of the first entry; infinite where there is none
+  uint32_t first;  ///< its first entry; its entries end where the next cell's begin
+  float nearest;   ///< `nearest` of the first entry; infinite if there is none
   float cover;     ///< what lies deeper is in shadow: a triangle covers the cell, or a sheet without an end in it
-  uint32_t first_other : 31;  ///< of its triangles in `others`
-  uint32_t single : 1;        ///< what lies over the cell as far as `cover` is one sheet that covers it once
+  uint32_t first_other : 31;  ///< its first triangle in `others`
+  uint32_t single : 1;        ///< down to `cover` one sheet lies over the cell and covers it once
 };
 
-/// A triangle over a cell that only queries from inside something can meet first: it faces the light, or lies deeper
-/// than the cell's cover.
+/// A triangle over a cell that matters only to queries from inside something: it faces the light, or lies deeper than
+/// the cell's cover.
 struct LightOther {
   float nearest;  ///< a lower bound of its depth over the cell; ascends in a cell
   uint32_t triangle;
@@ -61,53 +61,52 @@ struct LightOther {
 /// outlive it.
 struct LightBuffer {
   const Scene* scene = nullptr;
-  std::span<const int8_t> sides;  ///< of each triangle, see Sheets
+  std::span<const int8_t> sides;  ///< see Sheets
   dvec3 toward{0, 1, 0};          ///< unit, to the light
   dvec3 x_axis{1, 0, 0}, y_axis{0, 0, 1};
-  dvec3 center{0};  ///< scene space; taken off first, so that digits last far from the origin
+  dvec3 center{0};  ///< scene space; subtracted first, to keep digits far from the origin
 
-  dvec2 corner{0};  ///< light space, relative to `center`: where the grid begins
+  dvec2 corner{0};  ///< where the grid begins: light space, relative to `center`
   double cells_per_unit = 1;
   double depth_per_unit = 1;  ///< depths are scaled so that the scene lies in [-1, 1]
   int cells_x = 0, cells_y = 0;
 
-  std::vector<LightCell> cells;  ///< rows of cells_x, and one more that ends the last
+  std::vector<LightCell> cells;  ///< rows of cells_x, and one more cell that ends the last
   UninitializedVector<LightEntry> entries;
   UninitializedVector<LightOther> others;
 };
 
-/// `toward` unit. The same buffer for any number of threads.
+/// `toward` must be unit. The same buffer for any number of threads.
 LightBuffer build_light_buffer(const Scene& scene, const Sheets& sheets, const dvec3& toward, ThreadPool& pool);
 
-/// A shadow ray toward the light. `origin` lies in scene space, off its surface by an offset, on the side
-/// that the ray leaves by; `triangle` is the one that it leaves (or kNoTriangle), which faces the light
-/// there.
+/// A shadow ray toward the light. `origin` lies in scene space, offset from its surface on the side that the ray
+/// leaves; `triangle` is the one that it leaves (or kNoTriangle), which faces the light there.
 struct ShadowQuery {
   dvec3 origin{0};
   uint32_t triangle = kNoTriangle;
-  bool from_front = true;   ///< it leaves by the triangle's counterclockwise side
+  bool from_front = true;   ///< it leaves on the triangle's counterclockwise side
   bool anywhere = false;    ///< the origin may lie inside a closed body other than the triangle's own
-  bool is_precise = false;  ///< the origin is a point of the triangle but for the rounding of double precision
+  bool is_precise = false;  ///< the origin is a point of the triangle, up to double precision
 };
 
-/// 1 where something lies between the origin and the light, else 0. The answer is that of a ray traced in
-/// double precision against every triangle (intersect_triangle, is_hole) but its own, not nearly so: what single
-/// precision cannot decide is decided by that same test, and so is every triangle with holes. Only for an origin
-/// that lies inside a closed body without saying so (`anywhere`), as where a pixel's triangle is hidden after all,
-/// is that body's lit half not asked. Thread-safe.
+/// 1 where something lies between the origin and the light, else 0. The answer is exactly that of a ray traced in
+/// double precision against every triangle but its own (intersect_triangle, is_hole): what single precision cannot
+/// decide is decided by that same test, and so is every triangle with holes. One exception: for an origin inside a
+/// closed body whose query does not say so (`anywhere`), as where a pixel's triangle is in fact hidden, that body's lit
+/// half is not tested. Thread-safe.
 void shadow_answers(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<uint8_t> occluded);
 
-/// What a query's cell alone says about its answer, without a look at the triangles in it.
+/// What a query's cell alone says about its answer, without its triangles.
 enum class CellAnswer : uint8_t {
-  lit,      ///< nothing over the cell is nearer to the light, or but the one sheet that the query leaves
-  shadow,   ///< a triangle nearer to the light covers the whole cell, or a sheet of them
-  unknown,  ///< ask
-  inside,   ///< ask: the query may start inside a closed body
+  lit,      ///< nothing over the cell is nearer to the light, except the sheet that the query leaves
+  shadow,   ///< a triangle or sheet nearer to the light covers the whole cell
+  unknown,  ///< shadow_answers() must be asked
+  inside,   ///< the same; the query may start inside a closed body
 };
 void answers_of_cells(const LightBuffer& buffer, std::span<const ShadowQuery> queries, std::span<CellAnswer> answers);
 
-/// True if a point seen from `eye` may lie inside a closed body: queries that start at what `eye` sees must
-/// then be asked with `anywhere`.
+/// True if a point seen from `eye` may lie inside a closed body: queries that start at what `eye` sees must then set
+/// `anywhere`.
 bool may_be_enclosed(const LightBuffer& buffer, const dvec3& eye);
 
 /// Bytes of a finished buffer.

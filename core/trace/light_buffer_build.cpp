@@ -12,16 +12,16 @@ namespace {
 
 constexpr size_t kTrianglesAChunk = 4096;
 constexpr int kRowsAChunk = 4;
-// A cell lists 12 bytes a triangle over it while the buffer is built, and up to 64 then. Ordinary scenes make about
-// three of these a triangle.
-constexpr uint64_t kMostReferences = 1 << 20, kMostReferencesATriangle = 16;
+// A triangle over a cell takes 12 bytes while the buffer is built, and up to 64 afterwards. Ordinary scenes have about
+// three such pairs per triangle.
+constexpr uint64_t kMostReferences = 1 << 20, kMostReferencesPerTriangle = 16;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr uint32_t kLastTriangle = (1u << 28) - 1;
 constexpr float kUndecided = std::numeric_limits<float>::max();  // as a depth error: single precision never decides
 
 enum class Facing : uint8_t {
   nothing,  ///< zero area
-  toward,   ///< the light sees its outer side; where it has none, its counterclockwise side
+  toward,   ///< the light sees its outer side or, if it has none, its counterclockwise side
   away,
   unsure,  ///< rounding might decide
 };
@@ -63,7 +63,7 @@ class Builder {
     uint32_t touches : 1;   ///< the cell, certainly
     uint32_t ends : 1;      ///< its sheet may end in the cell
     uint32_t centered : 1;  ///< the cell's centre lies in it
-    uint32_t unsure : 1;    ///< or may do so
+    uint32_t unsure : 1;    ///< or may lie in it
     bool operator<(const Reference& other) const {
       return nearest != other.nearest ? nearest < other.nearest : triangle < other.triangle;
     }
@@ -88,12 +88,12 @@ class Builder {
             grid_from_light(buffer_, positions_light_[corners.z])};
   }
 
-  /// The half of closed bodies that rays toward the light leave by makes none.
+  /// False for the half of closed bodies by which rays toward the light leave them.
   bool makes_entries(uint32_t triangle) const {
     return sheets_.sides[triangle] == 0 || facings_[triangle] != Facing::toward;
   }
 
-  /// Bit k: the light may see an end of the triangle's sheet at its side k, a silhouette.
+  /// Bit k: the triangle's sheet may end at its side k, as the light sees it.
   unsigned ends_of_sheet(uint32_t triangle) const {
     unsigned ends = 0;
     for (int k = 0; k < 3; ++k) {
@@ -134,7 +134,7 @@ class Builder {
     kept_ = kept;
   }
 
-  /// The side of half as many cells as triangles that make entries: measured, see docs/results/trace.md.
+  /// The grid's side for half as many cells as triangles that make entries: measured, see docs/results/trace.md.
   double finest_cells() const {
     const dvec3 size = glm::max(hi_ - lo_, dvec3(0));
     const double wanted = std::clamp(0.5 * static_cast<double>(kept_), 64.0 * 64, 2048.0 * 2048);
@@ -153,10 +153,10 @@ class Builder {
     buffer_.cells.assign(static_cast<size_t>(buffer_.cells_x) * buffer_.cells_y + 1, {0, kInfinity, kInfinity, 0, 0});
   }
 
-  /// Where each cell's references begin; false if they are too many, as where thousands of triangles each lie
-  /// over most of the scene.
+  /// Finds where each cell's references begin; false if there are too many, as when thousands of triangles each cover
+  /// most of the scene.
   bool count() {
-    const uint64_t most = kMostReferences + kMostReferencesATriangle * facings_.size();
+    const uint64_t most = kMostReferences + kMostReferencesPerTriangle * facings_.size();
     std::atomic<uint64_t> total = 0;
     first_.assign(buffer_.cells.size(), 0);
     first_other_.assign(buffer_.cells.size(), 0);
@@ -179,7 +179,7 @@ class Builder {
     return true;
   }
 
-  /// Turns numbers of things into where they begin; returns how many there are.
+  /// Turns counts into first indices (a prefix sum); returns the total.
   static uint32_t begin_each(std::vector<uint32_t>& numbers) {
     uint64_t total = 0;
     for (uint32_t& number : numbers) total += std::exchange(number, static_cast<uint32_t>(total));
@@ -226,12 +226,12 @@ class Builder {
 
   struct SheetCover {
     float farthest = kInfinity;  ///< what lies deeper is in shadow
-    bool single = false;         ///< nothing is nearer, and it covers the cell once
+    bool single = false;         ///< it is the nearest sheet and covers the cell once
   };
 
-  /// Triangles whose depths overlap, one after the other, are a sheet or several. One that has a point in the cell and
-  /// ends nowhere in it covers it all, however small its triangles are; and how many cover a point is the same for all
-  /// points of the cell, its centre among them.
+  /// Triangles whose depths overlap, one after the other, are one sheet or several. If such a group has a point in the
+  /// cell and no end in it, it covers the whole cell, however small its triangles are, and the number of layers is the
+  /// same at all points of the cell, its centre among them.
   static SheetCover cover_by_sheets(std::span<const Reference> nearest_first) {
     bool touches = false, ends = false, unsure = false, is_nearest = true;
     int at_center = 0;
@@ -259,7 +259,7 @@ class Builder {
                  });
   }
 
-  /// Sorts each cell's references: those that a query may get to become entries.
+  /// Sorts each cell's references and makes entries of those that a query may reach.
   void make_entries() {
     std::vector<uint32_t> first_entry(buffer_.cells.size()), first_other(buffer_.cells.size());
     for_each_cell_of_grid([&](size_t cell) {
@@ -304,7 +304,7 @@ class Builder {
   ThreadPool& pool_;
   UninitializedVector<dvec3> positions_light_;
   std::vector<Facing> facings_;
-  std::vector<uint32_t> first_, first_other_;  ///< of each cell, in the arrays below
+  std::vector<uint32_t> first_, first_other_;  ///< per cell, its first place in the arrays below
   UninitializedVector<Reference> references_;
   UninitializedVector<LightOther> others_;
   dvec3 lo_{1e300}, hi_{-1e300};  ///< light space

@@ -12,11 +12,11 @@ namespace hybridrt {
 // How a triangle lies over the cells of a light buffer: in double precision, in grid coordinates, where a
 // cell is two units wide and the centre of cell (i, j) is (2 i + 1, 2 j + 1).
 
-/// In a cell's coordinates single precision is off by less than this, with room to spare: every number is at
-/// most about 3 and there are three operations. The uncertain zone around an edge is this wide.
+/// In a cell's coordinates single precision errs by less than this, with room to spare: every number is at most about
+/// 3, and there are three operations. The uncertain zone around an edge is this wide.
 inline constexpr double kCellError = 0x1p-21;
 
-/// Triangles that come as near as this to a cell count as over it.
+/// Triangles this close to a cell count as over it.
 inline constexpr double kMargin = 2 * kCellError;
 
 /// A point of the scene in light space, relative to the buffer's centre, z away from the light.
@@ -25,23 +25,23 @@ inline dvec3 light_from_scene(const LightBuffer& buffer, const dvec3& p) {
   return {glm::dot(d, buffer.x_axis), glm::dot(d, buffer.y_axis), -glm::dot(d, buffer.toward)};
 }
 
-/// Light space to grid coordinates; z is scaled to [-1, 1] over the scene.
+/// From light space to grid coordinates; z is scaled to [-1, 1] over the scene.
 inline dvec3 grid_from_light(const LightBuffer& buffer, const dvec3& p) {
   const double scale = 2 * buffer.cells_per_unit;
   return {(p.x - buffer.corner.x) * scale, (p.y - buffer.corner.y) * scale, p.z * buffer.depth_per_unit};
 }
 
-/// a x + b y + c: a multiple of the signed distance to an edge, positive inside. All zero for an edge so
-/// short, as the light sees it, that rounding has taken its direction: it decides nothing.
+/// a x + b y + c: a multiple of the signed distance to an edge, positive inside. All zero for an edge that looks so
+/// short from the light that rounding destroys its direction: it decides nothing.
 struct GridEdge {
   double a = 0, b = 0, c = 0;
-  double reach() const { return std::abs(a) + std::abs(b); }  ///< how much it changes from a cell's centre to a corner
+  double reach() const { return std::abs(a) + std::abs(b); }  ///< its change from a cell's centre to a corner, at most
 };
 
 struct GridTriangle {
   GridEdge edges[3];
   dvec3 lo{0}, hi{0};      ///< bounds
-  bool has_plane = false;  ///< false when seen (nearly) edge-on; then the depth is only known by lo.z and hi.z
+  bool has_plane = false;  ///< false if seen (nearly) edge-on; then only lo.z and hi.z bound the depth
   double slope_x = 0, slope_y = 0, depth = 0;  ///< z = slope_x x + slope_y y + depth
 
   static constexpr double kShortest = 1e-4;
@@ -60,7 +60,7 @@ struct GridTriangle {
     set_edge(edges[0], p0, p1);
     set_edge(edges[1], p1, p2);
     set_edge(edges[2], p2, p0);
-    // Rounding takes a sliver's plane too.
+    // Rounding also destroys the plane of a sliver.
     const double longest = std::max({std::abs(e1.x), std::abs(e1.y), std::abs(e2.x), std::abs(e2.y)});
     if (std::abs(area) <= 1e-5 * longest * longest) return;
     has_plane = true;
@@ -82,16 +82,17 @@ class CellView {
     if (!triangle.has_plane) return;
     depth_ = triangle.slope_x * x + triangle.slope_y * y + triangle.depth;
     change_ = std::abs(triangle.slope_x) + std::abs(triangle.slope_y);
-    const double reach = change_ * (1 + 2 * kMargin);  // for all that for_each_cell counts as in the cell
+    const double reach = change_ * (1 + 2 * kMargin);  // for all that for_each_cell counts as over the cell
     lowest_ = std::max(lowest_, depth_ - reach - plane_error());
     highest_ = std::min(highest_, depth_ + reach + plane_error());
   }
 
-  /// Every point of the cell is certainly inside the edge.
+  /// True if every point of the cell is certainly inside the edge.
   bool inside(int edge) const { return distance_[edge] > triangle_.edges[edge].reach() * (1 + 2 * kCellError); }
   bool covers() const { return inside(0) && inside(1) && inside(2); }
 
-  /// The triangle has a point in the cell, certainly: no line separates them. False for slivers, where rounding might.
+  /// True if the triangle certainly has a point in the cell: no line separates them. False for slivers, where rounding
+  /// might decide.
   bool surely_touched() const {
     if (!triangle_.has_plane) return false;
     for (int edge = 0; edge < 3; ++edge)
@@ -101,7 +102,7 @@ class CellView {
            triangle_.hi.y > inner_lo.y;
   }
 
-  /// Whether the centre of the cell lies in it; nothing where rounding might decide.
+  /// Whether the centre of the cell lies in the triangle; nothing where rounding might decide.
   std::optional<bool> centered() const {
     const dvec2 lo = dvec2(triangle_.lo) - kMargin, hi = dvec2(triangle_.hi) + kMargin;
     if (center_.x < lo.x || center_.y < lo.y || center_.x > hi.x || center_.y > hi.y) return false;
@@ -115,7 +116,7 @@ class CellView {
     return within ? std::optional(true) : std::nullopt;
   }
 
-  /// One of the sides among `sides` (bits) may go through the cell.
+  /// Whether one of `sides` (bits) may cross the cell.
   bool crossed_by_sides(unsigned sides) const {
     for (int edge = 0; edge < 3; ++edge)
       if ((sides >> edge & 1) && std::abs(distance_[edge]) <= triangle_.edges[edge].reach() * (1 + 2 * kMargin))
@@ -152,14 +153,14 @@ class CellView {
  private:
   static constexpr double kDepthRoom = 0x1p-21;
 
-  /// How far off its depth at a point of the cell may be: the steeper the plane, the more.
+  /// Bounds the error of a depth in the cell: the steeper the plane, the larger.
   double plane_error() const { return kCellError * (1 + change_ + std::abs(depth_)); }
 
   const GridTriangle& triangle_;
   const dvec2 center_;
   double distance_[3];
-  double depth_ = 0;   ///< of the plane, at the cell's centre
-  double change_ = 0;  ///< and how much it differs in the farthest corner
+  double depth_ = 0;   ///< the plane's depth at the cell's centre
+  double change_ = 0;  ///< its change from there to a corner, at most
   double lowest_, highest_;
 };
 
@@ -173,7 +174,7 @@ void for_each_cell(const GridTriangle& triangle, int cells_x, int cells_y, const
   const int first_i = cell(triangle.lo.x - kMargin, cells_x), last_i = cell(triangle.hi.x + kMargin, cells_x);
   const int first_j = cell(triangle.lo.y - kMargin, cells_y), last_j = cell(triangle.hi.y + kMargin, cells_y);
   for (int j = first_j; j <= last_j; ++j) {
-    double rest[3];  // distance to the edge of the cell's farthest corner, less a x
+    double rest[3];  // distance of the cell's farthest corner to the edge, minus a x
     double from = triangle.lo.x, to = triangle.hi.x;
     for (int e = 0; e < 3; ++e) {
       const GridEdge& edge = triangle.edges[e];

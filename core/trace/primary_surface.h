@@ -10,16 +10,16 @@
 
 namespace hybridrt {
 
-/// Barycentric weights of the point of `triangle` that a pixel sees, found again from the id in double precision.
-/// `dir` unit.
+/// Barycentric weights of the point of `triangle` that a pixel sees, recomputed from the id in double precision. `dir`
+/// must be unit.
 inline dvec3 seen_barycentrics(const Scene& scene, uint32_t triangle, const dvec3& eye, const dvec3& dir) {
   return clamped_barycentrics(dvec3(scene.vertex(triangle, 0)) - eye, dvec3(scene.vertex(triangle, 1)) - eye,
                               dvec3(scene.vertex(triangle, 2)) - eye, dir);
 }
 
-/// Calls ask(light, query) for each of the lights that the seen side of `triangle` faces; the others leave it in shadow
-/// without a ray. The query, whether the light reaches what is seen along `dir` (unit) from `eye`, is in double
-/// precision and the same for every light, method and shadow mode.
+/// Calls ask(light, query) for each light that the seen side of `triangle` faces; it is in shadow from the others
+/// without a ray. The query asks whether the light reaches the point seen along `dir` (unit) from `eye`. It is in
+/// double precision, and the same for every light, method and shadow mode.
 template <typename Ask>
 void for_each_facing_light(const Scene& scene, uint32_t triangle, const dvec3& eye, const dvec3& dir,
                            std::span<const TracedLight> lights, const Ask& ask) {
@@ -43,7 +43,7 @@ void for_each_facing_light(const Scene& scene, uint32_t triangle, const dvec3& e
   }
 }
 
-/// The same for one light (`toward` unit): nothing where it does not face it.
+/// The same for one light (`toward` unit); nothing if the side does not face it.
 inline std::optional<ShadowQuery> primary_shadow_query(const Scene& scene, uint32_t triangle, const dvec3& eye,
                                                        const dvec3& dir, const dvec3& toward) {
   const TracedLight light{{toward}};

@@ -7,9 +7,9 @@
 
 namespace hybridrt {
 
-/// Answers batches of ray queries against a fixed scene. One virtual call a batch, none a ray.
-/// Implementations are immutable after construction and safe to call from many threads at once.
-/// The scene given to a factory must outlive the caster.
+/// Answers batches of ray queries against a fixed scene. One virtual call per batch, none per ray. Implementations are
+/// immutable after construction and safe to call from many threads at once. The scene given to a factory must outlive
+/// the caster.
 template <typename Real>
 class RayCaster {
  public:

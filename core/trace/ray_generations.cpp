@@ -65,7 +65,7 @@ void RayGenerations<Real>::add_scattered(uint32_t pixel, const Surface<Real>& su
   scatter_on({Vec3<Real>(1), pixel, 0}, surface, reflect, dir, distance, stats);
 }
 
-/// `path`: from the eye to the surface.
+/// `path`: the distance from the eye to the surface.
 template <typename Real>
 void RayGenerations<Real>::scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& reflect,
                                       const Vec3<Real>& dir, Real path, TraceStats& stats) {
@@ -97,7 +97,7 @@ void RayGenerations<Real>::take_batch() {
   tags_.resize(first);
 }
 
-/// Asks every light that the hit's side faces; those without shadows arrive unasked.
+/// Queues a shadow ray to every light that the hit's side faces; lights without shadows arrive without one.
 template <typename Real>
 void RayGenerations<Real>::queue_shadow_rays(size_t i) {
   const Tag& tag = batch_tags_[i];
@@ -128,7 +128,7 @@ void RayGenerations<Real>::queue_shadow_rays(size_t i) {
   }
 }
 
-/// Fills lit_: which lights reach the hits of the batch.
+/// Fills lit_: the lights that reach the hits of the batch.
 template <typename Real>
 void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
   for (ShadowQueue<Real>& queue : shadow_queues_) queue.clear();
@@ -155,7 +155,7 @@ SurfaceColors<Real> RayGenerations<Real>::colors_of(size_t i) const {
                          solid_angles_[batch_tags_[i].pixel], batch_tags_[i].path + hits_[i].t);
 }
 
-/// Without what the surface sends on.
+/// The surface's own light, without reflected and refracted rays.
 template <typename Real>
 Vec3<Real> RayGenerations<Real>::color_of(size_t i, const SurfaceColors<Real>& paint) const {
   const Surface<Real>& surface = surfaces_[i];

@@ -4,15 +4,15 @@
 
 namespace hybridrt {
 
-/// The rays that a surface sends on, and how much of their light reaches the one that met it.
+/// The rays that a surface reflects and refracts, and how much of their light the incoming ray gets.
 template <typename Real>
 struct Scattered {
   Vec3<Real> reflected_dir{0}, refracted_dir{0};        ///< unit
   Vec3<Real> reflected_weight{0}, refracted_weight{0};  ///< 0: no such ray
 };
 
-/// Share of unpolarised light that a boundary reflects. `eta` = index on the ray's side / beyond;
-/// `cos_in`, `cos_out` >= 0. Fresnel's equations.
+/// Share of unpolarised light that a boundary reflects. `eta` = index on the ray's side / index beyond; `cos_in`,
+/// `cos_out` >= 0. Fresnel's equations.
 template <typename Real>
 Real fresnel_dielectric(Real cos_in, Real cos_out, Real eta) {
   const Real parallel = (cos_in - eta * cos_out) / (cos_in + eta * cos_out);
@@ -20,8 +20,8 @@ Real fresnel_dielectric(Real cos_in, Real cos_out, Real eta) {
   return Real(0.5) * (parallel * parallel + perpendicular * perpendicular);
 }
 
-/// `reflect`: Material::reflect with its textures. `dir` unit, the direction in which the ray came. Rays never dive
-/// under the surface because of an interpolated normal: where one would, the geometric normal takes its place.
+/// `reflect`: Material::reflect with its textures. `dir`: the unit direction of the incoming ray. Where an interpolated
+/// normal would send a ray under the surface, the geometric normal is used.
 template <typename Real>
 Scattered<Real> scatter(const Material& material, const Vec3<Real>& reflect, const Surface<Real>& surface,
                         const Vec3<Real>& dir) {

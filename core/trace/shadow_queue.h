@@ -8,13 +8,13 @@
 
 namespace hybridrt {
 
-/// Shadow rays toward one light that wait to be asked together.
+/// Shadow rays toward one light, to be asked together.
 template <typename Real>
 struct ShadowQueue {
-  std::vector<ShadowQuery> queries;  ///< for the light's buffer, or
-  std::vector<Ray<Real>> rays;       ///< for the caster where it has none
-  std::vector<size_t> owners;        ///< of each question; whose they are is the asker's business
-  std::vector<uint8_t> occluded;     ///< of each question, after answer()
+  std::vector<ShadowQuery> queries;  ///< for the light's buffer, if it has one
+  std::vector<Ray<Real>> rays;       ///< for the caster otherwise
+  std::vector<size_t> owners;        ///< per query: an index of the caller's choice
+  std::vector<uint8_t> occluded;     ///< per query, after answer()
 
   void clear() {
     queries.clear();
@@ -22,7 +22,7 @@ struct ShadowQueue {
     owners.clear();
   }
 
-  /// `caster` may be null where the light has a buffer.
+  /// `caster` may be null if the light has a buffer.
   void answer(const TracedLight& light, const RayCaster<Real>* caster) {
     occluded.resize(owners.size());
     if (light.buffer)

@@ -29,7 +29,7 @@ Sheets make_sheets(const Scene& scene, const Topology& topology, ThreadPool& poo
       if (topology.kind_of(edge) != EdgeKind::regular) continue;
       const std::span<const EdgeUse> uses = topology.uses_of(edge);
       if (scene.has_holes(uses[0].triangle) || scene.has_holes(uses[1].triangle)) continue;
-      // Welding compares positions, so that comparing them again finds the edge's corners.
+      // Welding compares positions, so comparing them again finds the edge's corners.
       const vec3 ends[2] = {scene.positions[topology.edges[edge].a], scene.positions[topology.edges[edge].b]};
       for (int i = 0; i < 2; ++i)
         for (int k = 0; k < 3; ++k)

@@ -9,15 +9,15 @@
 
 namespace hybridrt {
 
-/// How the scene's triangles go on into one another, as far as shadows must know. 13 bytes a triangle.
+/// How the scene's triangles continue one another, as far as shadows must know. 13 bytes per triangle.
 struct Sheets {
-  /// Of each triangle: 1 if it belongs to a closed body wound outward, -1 if to one wound inward, else 0. A body of
-  /// which a triangle has holes is not closed.
+  /// Per triangle: 1 if it belongs to a closed body wound outward, -1 if to one wound inward, else 0. A body with holes
+  /// in any triangle is not closed.
   std::vector<int8_t> sides;
 
-  /// Of each triangle: across its side from corner k to corner k + 1 lies the triangle [k]. kNoTriangle where not
-  /// exactly one lies there, where it goes the same way along the side (one of the two is wound the wrong way), and
-  /// where one of the two has holes: there a sheet may end.
+  /// Per triangle: [k] is the triangle across its side from corner k to corner k + 1. kNoTriangle, where a sheet may
+  /// end, if there is not exactly one, if it goes the same way along the side (one of the two is wound the wrong way),
+  /// or if one of the two has holes.
   std::vector<uvec3> across;
 };
 

@@ -2,7 +2,7 @@
 
 #include "core/base/math.h"
 
-// shaders/surface.glsl compiled as C++, in single and in double precision. Argument types choose.
+// shaders/surface.glsl compiled as C++, in single and in double precision. Argument types select which.
 #define HRT_FN inline
 namespace hybridrt::surface_single {
 using namespace glm;

@@ -8,20 +8,20 @@
 
 namespace hybridrt {
 
-/// What a ray found, in scene space, ready for shading and for the next rays.
+/// The surface that a ray met, in scene space, ready for shading and for further rays.
 template <typename Real>
 struct Surface {
   Vec3<Real> point{0};
-  Vec3<Real> side{0};        ///< unit geometric normal, turned to where the ray came from
+  Vec3<Real> side{0};        ///< unit geometric normal, turned toward the ray's origin
   Vec3<Real> normal{0};      ///< unit shading normal, turned to `side`
   Real offset = 0;           ///< how far off the surface new rays must start, along `side` or against it
   bool from_outside = true;  ///< the ray met the front (counter-clockwise) side
   uint32_t material = 0;
 };
 
-/// Rounding moves a hit off its triangle by about this much of the larger of its coordinates and of the
-/// triangle; new rays start that far away so that they do not meet the same surface again
-/// (Wächter and Binder, Ray Tracing Gems, chapter 6).
+/// Rounding moves a hit off its triangle by about this share of its largest coordinate or of the triangle's extent; new
+/// rays start that far away so that they do not meet the same surface again (Wächter and Binder, Ray Tracing Gems,
+/// chapter 6).
 template <typename Real>
 inline constexpr Real kRelativeOffset = std::is_same_v<Real, float> ? Real(0x1p-18) : Real(0x1p-40);
 
@@ -47,9 +47,9 @@ Surface<Real> surface_at(const Scene& scene, uint32_t triangle, Real u, Real v, 
   return surface;
 }
 
-/// A ray that leaves `surface` on the side that it was seen from (toward = true) or through it. It starts at its
-/// offset from the surface, on the line through the point along `dir`, so that the offset moves nothing that it meets;
-/// at grazing angles, where that would be far along, less so. `dir` unit.
+/// A ray that leaves `surface` on the side that it was seen from (toward = true) or through it. It starts at its offset
+/// from the surface, on the line through the point along `dir`, so that the offset does not change what it meets; at
+/// grazing angles, where that would be far along, less so. `dir` must be unit.
 template <typename Real>
 Ray<Real> leave(const Surface<Real>& surface, const Vec3<Real>& dir, bool toward = true) {
   const Vec3<Real> side = toward ? surface.side : -surface.side;

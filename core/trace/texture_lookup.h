@@ -6,8 +6,8 @@
 #include "core/scene/scene.h"
 #include "shaders/shared.h"
 
-// shaders/texture.glsl compiled as C++, in single and in double precision. Its functions look words up, so they are
-// members of what knows where these are.
+// shaders/texture.glsl compiled as C++, in single and in double precision. Its functions look up words, so they are
+// members of a struct that holds them.
 #define HRT_FN
 namespace hybridrt::texture_single {
 using namespace glm;
@@ -61,8 +61,8 @@ SurfaceColors<Real> plain_colors(const Material& m) {
   return {Vec3<Real>(m.kd), Vec3<Real>(m.ks), Vec3<Real>(m.ke), Vec3<Real>(m.reflect)};
 }
 
-/// What a ray along `dir` (unit) meets at weights (1 - u - v, u, v) of `triangle`, after a path of `distance` since the
-/// eye, for a pixel of that solid angle. The material must have maps.
+/// The colours that a ray along `dir` (unit) meets at weights (1 - u - v, u, v) of `triangle`, after a path of
+/// `distance` from the eye, for a pixel of that solid angle. The material must have maps.
 template <typename Real>
 SurfaceColors<Real> textured_colors(const Scene& scene, uint32_t triangle, Real u, Real v, const Vec3<Real>& dir,
                                     Real solid_angle, Real distance) {

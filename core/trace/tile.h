@@ -5,7 +5,7 @@
 
 namespace hybridrt {
 
-/// A part of a picture.
+/// A rectangle of a picture.
 struct Tile {
   int x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1)
   uint32_t width() const { return static_cast<uint32_t>(x1 - x0); }
@@ -13,8 +13,8 @@ struct Tile {
 
   static constexpr int kBlock_px = 4;
 
-  /// Calls body(x, y, place in the tile, row by row) in square blocks: rays that go together as a packet, queries that
-  /// ask the same cells.
+  /// Calls body(x, y, index in the tile, counted row by row) in square blocks, so that neighbouring rays form packets
+  /// and neighbouring queries ask the same cells.
   template <typename Body>
   void for_each_pixel_in_blocks(const Body& body) const {
     for (int block_y = y0; block_y < y1; block_y += kBlock_px)

@@ -13,7 +13,7 @@ namespace hybridrt {
 /// A light and what answers its shadow rays.
 struct TracedLight {
   DirectionalLight light;
-  const LightBuffer* buffer = nullptr;  ///< of `light`; null: it casts no shadow, or its shadow rays are traced
+  const LightBuffer* buffer = nullptr;  ///< null: the light casts no shadow, or its shadow rays are traced
 };
 
 /// What the CPU tracer needs to know of a frame. Refers to scene, view and light buffers, which must outlive it.
@@ -25,7 +25,7 @@ struct TraceJob {
   bool shadows = true;              ///< shadow rays at the hits of reflected and refracted rays
   int reflection_depth = 4;         ///< generations after the primary one
   vec3 ambient{0.15f};              ///< times Kd
-  vec3 background{0.7f};            ///< what rays see that meet nothing
+  vec3 background{0.7f};            ///< the colour of rays that meet nothing
 
   bool eye_enclosed = false;  ///< see may_be_enclosed
 
@@ -36,7 +36,7 @@ struct TraceJob {
   bool casts_shadow(size_t light) const { return shadows && lights[light].light.casts_shadow; }
 };
 
-/// What pass 4 did. Rays are counted when they are fired; a pixel is marked once a light that it asks.
+/// What pass 4 did. Rays are counted when they are fired; a pixel counts as marked once per light that it asks.
 struct TraceStats {
   int64_t pixels_hit = 0, pixels_marked = 0, pixels_reflective = 0, pixels_refractive = 0;
   int64_t shadow_rays = 0;          ///< all generations
@@ -46,7 +46,7 @@ struct TraceStats {
   double secondary_cpu_ms = 0;  ///< thread time of everything after the primary generation
 
   int64_t pixels_suspect = 0, pixels_repaired = 0;  ///< see RepairStats
-  double repair_ms = 0;                             ///< wall time of marking the suspects
+  double repair_ms = 0;                             ///< wall time of repair_primary_hits()
 
   void add(const TraceStats& other);
 };

@@ -36,20 +36,20 @@ ShearedRay<Real> shear_ray(const Vec3<Real>& origin, const Vec3<Real>& dir) {
   return {origin, dir[kx] / dir[kz], dir[ky] / dir[kz], Real(1) / dir[kz], kx, ky, kz};
 }
 
-/// In terms of Hit: `u`, `v` weigh the second and third vertex.
+/// As in Hit, `u` and `v` are the weights of the second and third vertex.
 template <typename Real>
 struct TriangleHit {
   Real t, u, v;
 };
 
-/// Outside these the float edge functions have overflowed or lost their digits to underflow, and the test
-/// goes on in double.
+/// Outside this range the float edge functions have overflowed or lost digits to underflow, and the test continues in
+/// double.
 inline constexpr float kSmallestFloatDet = 1e-36f, kLargestFloatDet = 1e36f;
 
-/// Whether the line of the ray meets the triangle, edges and vertices included, from either side. `t` may
-/// have any sign: the caller compares it with its range (a NaN fails every comparison). The float version
-/// decides the side of each edge exactly for the sheared (rounded) points. Zero-area triangles must have
-/// been left out (is_degenerate): rounding can let a ray hit one.
+/// Whether the ray's line meets the triangle, edges and vertices included, from either side. `t` may have any sign: the
+/// caller compares it with its range (a NaN fails every comparison). The float version decides the side of each edge
+/// exactly for the sheared (rounded) points. Zero-area triangles must have been left out (is_degenerate): rounding can
+/// let a ray hit one.
 template <typename Real>
 bool intersect_triangle(const ShearedRay<Real>& ray, const vec3& v0, const vec3& v1, const vec3& v2,
                         TriangleHit<Real>& hit) {

@@ -107,7 +107,7 @@ class InspectTest(unittest.TestCase):
 
     def test_what_a_frame_runs(self):
         self.cube(MIRROR)
-        self.assertEqual(self.steps()["pass 3 boundaries"]["runs"], "each frame")
+        self.assertEqual(self.steps()["pass 3 marking"]["runs"], "each frame")
         self.assertEqual(self.steps("--reflection-depth", "0")["pass 4 reflections"]["why"], "--reflection-depth 0")
         rays = self.steps("--shadows", "rays")
         self.assertEqual(rays["pass 1 shadow map"]["runs"], "no")
