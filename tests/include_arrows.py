@@ -50,7 +50,7 @@ FENCES = {
 }
 # The same fences for the linker: CMake target, and the CMakeLists.txt that may name it.
 LINK_FENCES = {
-    "OPENIMAGEIO": ["core/image_io/"],
+    "OPENIMAGEIO": ["core/image_io/", "tests/"],
     "OpenMesh": ["core/load/", "core/mesh/"],
     "CLI11": ["cli/"],
     "embree": ["core/trace/", "cli/", "tests/", ""],

@@ -155,18 +155,14 @@ TexelImage read_codes(const fs::path& path, OIIO::ImageInput& input) {
   return image;
 }
 
-Image read(const fs::path& path, bool linear) try {
+}  // namespace
+
+Image read_image(const fs::path& path) try {
   const Input input = open_image(path);
-  Image image = read_pixels(path, *input);
-  return linear && !input->spec().format.is_floating_point() ? linear_from_srgb(std::move(image)) : image;
+  return read_pixels(path, *input);
 } catch (const std::bad_alloc&) {
   throw error(ErrorKind::input, "{}: too large for the memory; use a smaller image", path.string());
 }
-
-}  // namespace
-
-Image read_image(const fs::path& path) { return read(path, false); }
-Image read_image_linear(const fs::path& path) { return read(path, true); }
 
 TexelImage read_texels(const fs::path& path, int largest_side_px, uint64_t most_texels) try {
   const Input input = open_image(path);
@@ -178,19 +174,6 @@ TexelImage read_texels(const fs::path& path, int largest_side_px, uint64_t most_
   return read_codes(path, *input);
 } catch (const std::bad_alloc&) {
   throw error(ErrorKind::input, "{}: too large for the memory; use a smaller image", path.string());
-}
-
-ImageMetadata read_image_metadata(const fs::path& path) {
-  const std::string description(open_image(path)->spec().get_string_attribute("ImageDescription"));
-  ImageMetadata metadata;
-  for (size_t begin = 0; begin < description.size();) {
-    const size_t end = std::min(description.find('\n', begin), description.size());
-    const std::string line = description.substr(begin, end - begin);
-    if (const size_t equals = line.find('='); equals != std::string::npos)
-      metadata.emplace_back(line.substr(0, equals), line.substr(equals + 1));
-    begin = end + 1;
-  }
-  return metadata;
 }
 
 }  // namespace hybridrt

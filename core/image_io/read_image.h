@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "core/image/image.h"
-#include "core/image/image_metadata.h"
 #include "core/image/texel_image.h"
 
 namespace hybridrt {
@@ -18,16 +17,9 @@ inline constexpr double kMaxImagePixels = 1 << 30;
 /// OpenImageIO reads, cut short, over the limits above, or too large for memory.
 Image read_image(const std::filesystem::path& path);
 
-/// The same in linear light: integer formats go through the sRGB curve (alpha does not).
-Image read_image_linear(const std::filesystem::path& path);
-
 /// The same as 8-bit display codes, for textures; a TexelReader. Float files are clamped to 0-1 and encoded as sRGB;
 /// grey becomes three equal colours; channels beyond four are left out. Takes four bytes per pixel. Also throws over
 /// the given limits.
 TexelImage read_texels(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
-
-/// The metadata that `encode_image` was given, without reading the pixels; empty for a file without any or a format
-/// that has none (BMP, HDR, PNM and others). Throws as `read_image`.
-ImageMetadata read_image_metadata(const std::filesystem::path& path);
 
 }  // namespace hybridrt

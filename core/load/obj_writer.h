@@ -13,7 +13,7 @@ struct WrittenObj {
 };
 
 /// Writes `scene` in world space as `path_obj` and, under the same name with `.mtl`, its materials (as resolved).
-/// Numbers have the fewest digits that read back the same, so load_obj() gives an equal scene: positions, normals,
+/// Numbers have the fewest digits that read back the same, so load_meshes() gives an equal scene: positions, normals,
 /// triangles, materials, in the same order. Lights, ambient and background are not part of OBJ. Same scene, same bytes.
 /// Both files are written atomically, the MTL first. Throws Error (output) when a file cannot be written, Error (usage)
 /// when `path_obj` does not end in .obj.

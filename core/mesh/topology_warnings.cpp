@@ -32,8 +32,6 @@ void warn_of_open_refraction(const Scene& scene, const Topology& topology, Warni
 
 }  // namespace
 
-bool refracts(const Scene& scene) { return std::any_of(scene.materials.begin(), scene.materials.end(), bends_light); }
-
 void topology_warnings(const Scene& scene, const Topology& topology, Warnings& warnings) {
   if (topology.non_manifold_edges > 0)
     warnings.push_back(

@@ -166,26 +166,4 @@ size_t memory_bytes(const KdTree& tree) {
          tree.triangles.capacity() * sizeof(KdTriangle);
 }
 
-KdTreeShape measure_shape(const KdTree& tree) {
-  KdTreeShape shape;
-  std::vector<std::pair<uint32_t, int>> stack{{0, 0}};
-  while (!stack.empty()) {
-    const auto [index, depth] = stack.back();
-    const KdNode node = tree.nodes[index];
-    stack.pop_back();
-    shape.depth = std::max(shape.depth, depth);
-    if (node.is_leaf()) {
-      ++shape.leaves;
-      shape.empty_leaves += node.count() == 0;
-      shape.references += node.count();
-      shape.largest_leaf = std::max<size_t>(shape.largest_leaf, node.count());
-    } else {
-      ++shape.inner_nodes;
-      stack.push_back({node.left_child(), depth + 1});
-      stack.push_back({node.left_child() + 1, depth + 1});
-    }
-  }
-  return shape;
-}
-
 }  // namespace hybridrt

@@ -78,11 +78,4 @@ KdTree build_kd_tree(const Scene& scene, ThreadPool& pool);
 /// Bytes of a finished tree, its triangle records included.
 size_t memory_bytes(const KdTree& tree);
 
-/// Numbers that tell how good a tree is.
-struct KdTreeShape {
-  size_t inner_nodes = 0, leaves = 0, empty_leaves = 0, references = 0, largest_leaf = 0;
-  int depth = 0;
-};
-KdTreeShape measure_shape(const KdTree& tree);
-
 }  // namespace hybridrt

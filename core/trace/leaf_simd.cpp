@@ -134,8 +134,6 @@ void any_hits(const KdTree& tree, const Ray<float>* rays, size_t count, uint8_t*
   for (size_t i = 0; i < count; ++i) occluded[i] = traverse<true, FourLeaf>(tree, rays[i]).found();
 }
 
-const char* target_name() { return hwy::TargetName(HWY_TARGET); }
-
 }  // namespace HWY_NAMESPACE
 }  // namespace hybridrt
 HWY_AFTER_NAMESPACE();
@@ -145,7 +143,6 @@ namespace hybridrt {
 
 HWY_EXPORT(closest_hits);
 HWY_EXPORT(any_hits);
-HWY_EXPORT(target_name);
 
 void closest_hits_simd(const KdTree& tree, std::span<const Ray<float>> rays, std::span<Hit<float>> hits) {
   HWY_DYNAMIC_DISPATCH(closest_hits)(tree, rays.data(), rays.size(), hits.data());
@@ -154,8 +151,6 @@ void closest_hits_simd(const KdTree& tree, std::span<const Ray<float>> rays, std
 void any_hits_simd(const KdTree& tree, std::span<const Ray<float>> rays, std::span<uint8_t> occluded) {
   HWY_DYNAMIC_DISPATCH(any_hits)(tree, rays.data(), rays.size(), occluded.data());
 }
-
-const char* simd_target_name() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
 
 }  // namespace hybridrt
 #endif  // HWY_ONCE

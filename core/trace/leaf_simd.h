@@ -14,7 +14,4 @@ namespace hybridrt {
 void closest_hits_simd(const KdTree& tree, std::span<const Ray<float>> rays, std::span<Hit<float>> hits);
 void any_hits_simd(const KdTree& tree, std::span<const Ray<float>> rays, std::span<uint8_t> occluded);
 
-/// Name of the instruction set in use, as Highway calls it ("AVX2").
-const char* simd_target_name();
-
 }  // namespace hybridrt

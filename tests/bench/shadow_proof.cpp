@@ -13,10 +13,11 @@
 #include <random>
 #include <string_view>
 
-#include "core/trace/brute_force.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/primary_surface.h"
 #include "tests/bench/ray_sets.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/primary_shadow_query.h"
 
 namespace hybridrt {
 namespace {

@@ -4,11 +4,11 @@
 #include <stdexcept>
 
 #include "core/base/error.h"
-#include "core/load/obj_io.h"
 #include "core/load/obj_parse.h"
 #include "core/mesh/topology.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/reader.h"
+#include "tests/support/load_obj.h"
 
 namespace hybridrt::fuzz {
 

@@ -1,9 +1,9 @@
 // Pass 2's ids against primary rays cast in double.
 
-#include "core/load/obj_io.h"
 #include "core/load/obj_writer.h"
 #include "core/procedural/spheres.h"
 #include "tests/gl/pass_test.h"
+#include "tests/support/load_obj.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hybridrt {

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <OpenImageIO/imageio.h>
 #include <filesystem>
 #include <fstream>
 #include <stdlib.h>
 #include <string>
 #include <unistd.h>
 
+#include "core/image/srgb.h"
 #include "core/image_io/encode_image.h"
+#include "core/image_io/read_image.h"
 
 namespace hybridrt {
 
@@ -41,5 +44,25 @@ struct EncodedFile {
 
   static std::string as_string(const std::vector<unsigned char>& bytes) { return {bytes.begin(), bytes.end()}; }
 };
+
+/// The file's pixels in linear light: files of whole numbers go through the sRGB curve.
+inline Image read_image_linear(const std::filesystem::path& path) {
+  const bool floats = path.extension() == ".exr" || path.extension() == ".hdr";
+  return floats ? read_image(path) : linear_from_srgb(read_image(path));
+}
+
+/// What encode_image() was handed for the file; empty where it says nothing.
+inline ImageMetadata read_image_metadata(const std::filesystem::path& path) {
+  const std::string description(OIIO::ImageInput::open(path.string())->spec().get_string_attribute("ImageDescription"));
+  ImageMetadata metadata;
+  for (size_t begin = 0; begin < description.size();) {
+    const size_t end = std::min(description.find('\n', begin), description.size());
+    const std::string line = description.substr(begin, end - begin);
+    if (const size_t equals = line.find('='); equals != std::string::npos)
+      metadata.emplace_back(line.substr(0, equals), line.substr(equals + 1));
+    begin = end + 1;
+  }
+  return metadata;
+}
 
 }  // namespace hybridrt

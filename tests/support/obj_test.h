@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/load/obj_io.h"
+#include "tests/support/load_obj.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hybridrt {

@@ -111,30 +111,30 @@ TEST_F(SeveralLights, PassFourAsksWhereEachLightIsMarked) {
         });
 }
 
-TEST_F(SeveralLights, WhatIsSettledAndAnswered) {
+TEST_F(SeveralLights, WhatIsMarkedAndAnswered) {
   TraceStats stats;
   lit_in_frame(job_with({}, false), *caster_, stats);
   for (uint32_t seed = 7; seed <= 9; ++seed) {
     MarkedShadows marked;  // kept, as renderers do
-    const auto mark_and_answer = [&](const TraceJob& job, Bytes& mask, TraceStats& stats) {
+    const auto mark_and_answer = [&](const TraceJob& job, Bytes& mask, TraceStats& own_stats) {
       Bytes lit(job.lights.size() * kPixels, 99);
       mask.assign(lit.size(), 99);
       mark_boundary(job, pool_, ids_, mask, lit, marked);
-      stats = answer_marked(job, pool_, marked, lit);
+      own_stats = answer_marked(job, pool_, marked, lit);
       return lit;
     };
-    expect_each_as_alone(seed, true, true, [&](const TraceJob& job, TraceStats& stats) {
+    expect_each_as_alone(seed, true, true, [&](const TraceJob& job, TraceStats& own_stats) {
       Bytes mask;
-      const Bytes lit = mark_and_answer(job, mask, stats);
+      const Bytes lit = mark_and_answer(job, mask, own_stats);
       // No other answers than those of rays.
       Bytes asked(lit.size(), 0);
       trace_pass(job, nullptr, pool_, {ids_, {}, asked, {}});
       EXPECT_EQ(lit, asked);
       return lit;
     });
-    expect_each_as_alone(seed, true, true, [&](const TraceJob& job, TraceStats& stats) {
+    expect_each_as_alone(seed, true, true, [&](const TraceJob& job, TraceStats& own_stats) {
       Bytes mask;
-      mark_and_answer(job, mask, stats);
+      mark_and_answer(job, mask, own_stats);
       return mask;
     });
   }

@@ -9,6 +9,7 @@
 #include "core/trace/kd_caster.h"
 #include "core/trace/primary_surface.h"
 #include "shaders/shared.h"
+#include "tests/support/primary_shadow_query.h"
 
 namespace hybridrt {
 namespace {

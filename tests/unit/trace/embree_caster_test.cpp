@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "core/trace/brute_force.h"
 #include "core/trace/kd_caster.h"
+#include "tests/support/brute_force.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {

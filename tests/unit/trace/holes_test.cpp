@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/trace/brute_force.h"
 #include "core/trace/embree_caster.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/light_buffer.h"
+#include "tests/support/brute_force.h"
 #include "tests/support/textured_scenes.h"
 #include "tests/support/trace_scenes.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
-#include "core/trace/brute_force.h"
+#include "tests/support/brute_force.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {

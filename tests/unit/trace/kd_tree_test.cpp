@@ -9,6 +9,34 @@
 namespace hybridrt {
 namespace {
 
+/// Numbers that tell how good a tree is.
+struct KdTreeShape {
+  size_t inner_nodes = 0, leaves = 0, empty_leaves = 0, references = 0, largest_leaf = 0;
+  int depth = 0;
+};
+
+KdTreeShape measure_shape(const KdTree& tree) {
+  KdTreeShape shape;
+  std::vector<std::pair<uint32_t, int>> stack{{0, 0}};
+  while (!stack.empty()) {
+    const auto [index, depth] = stack.back();
+    const KdNode node = tree.nodes[index];
+    stack.pop_back();
+    shape.depth = std::max(shape.depth, depth);
+    if (node.is_leaf()) {
+      ++shape.leaves;
+      shape.empty_leaves += node.count() == 0;
+      shape.references += node.count();
+      shape.largest_leaf = std::max<size_t>(shape.largest_leaf, node.count());
+    } else {
+      ++shape.inner_nodes;
+      stack.push_back({node.left_child(), depth + 1});
+      stack.push_back({node.left_child() + 1, depth + 1});
+    }
+  }
+  return shape;
+}
+
 template <typename T>
 void expect_same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
   ASSERT_EQ(a.size(), b.size());

@@ -7,6 +7,7 @@
 #include "core/trace/light_buffer.h"
 #include "core/trace/primary_surface.h"
 #include "shaders/shared.h"
+#include "tests/support/primary_shadow_query.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/procedural/procedural.h"
-#include "core/trace/brute_force.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/surface_at.h"
+#include "tests/support/brute_force.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {

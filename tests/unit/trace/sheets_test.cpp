@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/trace/brute_force.h"
 #include "core/trace/kd_caster.h"
 #include "core/trace/light_buffer.h"
 #include "core/trace/surface_at.h"
+#include "tests/support/brute_force.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
