@@ -47,8 +47,8 @@ class SeveralLights : public testing::Test {
     return lit;
   }
 
-  /// `answer(job, stats)` for all lights at once and for one after the other; of those that cast shadows only where the
-  /// others' answers mean nothing.
+  /// Compares `answer(job, stats)` for all lights at once and for one after the other; only lights that cast shadows
+  /// where other answers are meaningless.
   template <typename Answer>
   void expect_each_as_alone(uint32_t seed, bool buffers, bool casting_only, const Answer& answer) {
     const std::vector<DirectionalLight> lights = random_lights(seed, 4);
@@ -98,7 +98,7 @@ TEST_F(SeveralLights, PassFourAsksWhereEachLightIsMarked) {
     for (const bool buffers : {false, true})
       for (const bool masked : {false, true})
         expect_each_as_alone(seed, buffers, true, [&](const TraceJob& job, TraceStats& pass_stats) {
-          // The same bytes for a light whether it is alone or not.
+          // The same bytes for a light, alone or not.
           Bytes mask;
           for (const TracedLight& light : job.lights) {
             Random random(static_cast<uint32_t>(1e6 * (2 + light.light.toward.x)));
@@ -115,7 +115,7 @@ TEST_F(SeveralLights, WhatIsSettledAndAnswered) {
   TraceStats stats;
   lit_in_frame(job_with({}, false), *caster_, stats);
   for (uint32_t seed = 7; seed <= 9; ++seed) {
-    MarkedShadows marked;  // kept, as renderers do
+    MarkedShadows marked;  // kept, as in renderers
     const auto mark_and_answer = [&](const TraceJob& job, Bytes& mask, TraceStats& stats) {
       Bytes lit(job.lights.size() * kPixels, 99);
       mask.assign(lit.size(), 99);
@@ -126,7 +126,7 @@ TEST_F(SeveralLights, WhatIsSettledAndAnswered) {
     expect_each_as_alone(seed, true, true, [&](const TraceJob& job, TraceStats& stats) {
       Bytes mask;
       const Bytes lit = mark_and_answer(job, mask, stats);
-      // No other answers than those of rays.
+      // The same answers as those of rays.
       Bytes asked(lit.size(), 0);
       trace_pass(job, nullptr, pool_, {ids_, {}, asked, {}});
       EXPECT_EQ(lit, asked);
