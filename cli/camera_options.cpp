@@ -6,7 +6,7 @@
 namespace hybridrt::cli {
 namespace {
 
-/// --eye, --target, --up; `middle` is what to look at when nothing is said.
+/// The camera of --eye, --target and --up; `middle` is the default target.
 Camera still_camera(const RenderOptions& o, UpAxis up_axis, const dvec3& middle, Warnings& warnings) {
   Camera still;
   still.eye_world = y_up_from_files(up_axis, *o.eye);
@@ -32,7 +32,7 @@ void require_one_camera(const RenderOptions& o) {
     throw error(ErrorKind::usage, "--camera and --eye both say where the camera is; give one of them");
 }
 
-/// The camera that somebody names, if anybody does.
+/// The camera named by an option or by the scene, if any.
 std::optional<CameraCourse> named_course(const RenderOptions& o, const SceneSource& source, const RenderJob& job,
                                          UpAxis up_axis, double aspect, double fov_y_rad, Warnings& warnings) {
   if (!o.camera.empty()) return read_camera_file(o.camera, up_axis, warnings);

@@ -8,15 +8,15 @@
 
 namespace hybridrt::cli {
 
-/// The camera of a run, and what looking for it found.
+/// The camera of a run, and what choosing it found out.
 struct ChosenCamera {
   CameraCourse course;
   Surroundings surroundings = Surroundings::outside;
-  SceneCaster<float> caster;  ///< of the scene, where the default view had to look around in it
+  SceneCaster<float> caster;  ///< for the scene, if the default view needed rays
 };
 
-/// The camera that flags ask for, or else the source's own, or else the default view of `job.scene`, for pictures of
-/// `job.settings`. `up_axis` is that of the scene's files. Throws Error(usage) for flags, Error(input) for files.
+/// The camera of the options, else the source's own, else the default view of `job.scene` for pictures of
+/// `job.settings`. `up_axis` is that of the scene's files. Throws Error(usage) for options, Error(input) for files.
 ChosenCamera choose_camera(const RenderOptions& options, const SceneSource& source, const RenderJob& job,
                            UpAxis up_axis, ThreadPool& pool, Warnings& warnings);
 

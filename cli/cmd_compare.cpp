@@ -45,7 +45,7 @@ void print_table(const CompareResult& result) {
     fmt::print("verdict              differ: {}\n", result.reason);
 }
 
-/// Numbers that were not measured are left out; an infinite PSNR is null, JSON having no infinity.
+/// Numbers that were not measured are left out; an infinite PSNR is null, as JSON has no infinity.
 void print_json(const CompareOptions& options, const CompareResult& result) {
   nlohmann::ordered_json object = {
       {"image", options.image}, {"reference", options.reference}, {"verdict", result.same ? "same" : "differ"}};
@@ -81,7 +81,7 @@ ExitCode compare(const CompareOptions& options) {
   const bool comparable = image.width_px == reference.width_px && image.height_px == reference.height_px &&
                           image.channels == reference.channels;
   if (!options.diff.empty() && comparable) {
-    // Differences of stored values: made linear, so that the encoder's curve brings them back as they are.
+    // Differences of stored values are made linear, so that the encoder's curve restores them.
     const Image difference = linear_from_srgb(difference_image(image, reference, kDifferenceAmplification));
     const std::vector<unsigned char> bytes = encode_image(difference, options.diff);
     write_file_atomically(options.diff, std::as_bytes(std::span(bytes)));
@@ -96,7 +96,7 @@ ExitCode compare(const CompareOptions& options) {
   return result.same ? ExitCode::ok : ExitCode::images_differ;
 }
 
-/// CLI11's own ranges let NaN through.
+/// CLI11's own ranges accept NaN.
 CLI::Validator from_zero_to(double most) {
   return CLI::Validator(
       [most](std::string& text) -> std::string {
@@ -117,7 +117,7 @@ void add_compare_command(CLI::App& app, Command& chosen) {
   command->add_option("--fail", options->limits.fail, "A pixel fails when a channel is off by more (values 0-1)")
       ->check(from_zero_to(1e6))
       ->capture_default_str();
-  command->add_option("--fail-percent", options->limits.fail_percent, "How many percent of the pixels may fail")
+  command->add_option("--fail-percent", options->limits.fail_percent, "Percentage of the pixels that may fail")
       ->check(from_zero_to(100))
       ->capture_default_str();
   command->add_option("--hard-fail", options->limits.hard_fail, "No pixel may be off by more")

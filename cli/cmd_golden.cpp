@@ -35,18 +35,18 @@ fs::path default_list() {
   return fs::exists(installed) ? installed : here;
 }
 
-/// What renders a case.
+/// What is needed to render a case.
 struct CaseJob {
   std::unique_ptr<ThreadPool> pool;
   RenderJob job;
 };
 
-/// The one frame of a case. What is wrong with its options or its scene is the list's fault: Error(input).
+/// The job for a case's only frame. Errors in its options or scene are the list's fault: Error(input).
 CaseJob make_case_job(const GoldenCase& golden) {
   RenderOptions command_line;
   CLI::App parser;
   add_render_options(parser, command_line);
-  std::vector<std::string> arguments(golden.options.rbegin(), golden.options.rend());  // CLI11 takes them backwards
+  std::vector<std::string> arguments(golden.options.rbegin(), golden.options.rend());  // CLI11 takes them in reverse
   arguments.push_back(golden.scene);
   try {
     parser.parse(arguments);
@@ -78,7 +78,7 @@ void write_picture(const fs::path& path, const Image& picture) {
   write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 
-/// Throws what stands in the way of rendering the case at all; what is wrong with its expected picture is a result.
+/// Throws if the case cannot be rendered at all; errors in its expected picture are a result.
 GoldenResult check(const GoldenList& list, const GoldenCase& golden, const fs::path& output) {
   GoldenResult result;
   result.golden = golden;
@@ -167,7 +167,7 @@ void add_golden_command(CLI::App& app, Command& chosen) {
     command->add_option("--list", options->list, "List of cases (default: the project's own)")->type_name("FILE");
     command->callback([options, action, &chosen] {
       chosen = [options, action] {
-        gl::limit_software_threads(allowed_processors());  // once for all cases, before the first starts a thread
+        gl::limit_software_threads(allowed_processors());  // before the first case starts a thread
         return action(*options);
       };
     });

@@ -41,7 +41,7 @@ std::vector<std::string> names() {
 }
 
 std::string about_triangles() {
-  std::string text = "How many in all, met within 5 % (";
+  std::string text = "Total number, met within 5 % (";
   for (const ProceduralScene& s : procedural_scenes())
     text += fmt::format("{}{}: {} to {}, default {}", &s == procedural_scenes().data() ? "" : "; ", s.name,
                         s.fewest_triangles, s.most_triangles, s.default_triangles);

@@ -10,10 +10,10 @@ class App;
 
 namespace hybridrt::cli {
 
-/// What a chosen command does once its options are parsed.
+/// Runs a chosen command after its options are parsed.
 using Command = std::function<ExitCode()>;
 
-/// Each adds one subcommand with its options to `app`; when it is chosen, `chosen` becomes what to run.
+/// Each adds a subcommand with its options to `app`; parsing sets `chosen` to the command to run.
 void add_compare_command(CLI::App& app, Command& chosen);
 void add_golden_command(CLI::App& app, Command& chosen);
 void add_doctor_command(CLI::App& app, Command& chosen);

@@ -7,7 +7,7 @@ namespace hybridrt::cli {
 /// README.md lists these and no others.
 enum class ExitCode {
   ok = 0,
-  usage = 2,  ///< running out of memory too: more was asked for than the machine has
+  usage = 2,  ///< also out of memory: more was asked for than the machine has
   input = 3,
   device = 4,
   output = 5,

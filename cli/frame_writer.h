@@ -31,9 +31,9 @@ class FrameWriter {
   /// Job, paths and options must outlive it. Throws Error(output) when the timings cannot be written.
   FrameWriter(const OutputOptions& options, const OutputPaths& paths, const RenderJob& job, int threads);
 
-  /// Waits while too many pictures wait to be written. Throws Error(output) for an earlier one that could not be.
+  /// Blocks while too many pictures wait to be written. Throws Error(output) if an earlier one could not be written.
   void write(Frame&& frame);
-  /// Waits until all is written; throws as write(). Adds to the totals what writing took.
+  /// Waits until everything is written; throws as write(). Adds the time of writing to the totals.
   void finish(RunTotals& totals);
 
  private:

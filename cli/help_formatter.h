@@ -6,7 +6,7 @@
 
 namespace hybridrt::cli {
 
-/// Help texts in two columns, no line wider than 100. Commands under an app inherit it.
+/// Formats help in two columns, at most 100 wide. Commands of an app inherit it.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option(const CLI::Option* option, bool is_positional) const override;
@@ -15,7 +15,7 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_description(const CLI::App* app) const override;
 };
 
-/// `left`, and from the second column on `text`, wrapped between words; a newline behind it.
+/// `left`, then `text` from the second column on, wrapped between words and ended by a newline.
 std::string two_columns(std::string_view left, std::string_view text);
 
 }  // namespace hybridrt::cli

@@ -13,24 +13,24 @@
 
 namespace hybridrt::cli {
 
-/// All that `inspect` tells about a scene and the first frame asked for.
+/// All that `inspect` reports about a scene and the first frame.
 struct Inspection {
-  std::string scene;  ///< as it was asked for
+  std::string scene;  ///< the SCENE argument
   RenderJob job;
   Warnings warnings;
   FramePlan plan;
   std::vector<StepNote> steps;
   MemoryEstimate memory;
-  std::vector<size_t> material_triangles;  ///< by material
+  std::vector<size_t> material_triangles;  ///< number of triangles of each material
 };
 
-/// Aligned text for people, lines of about 100 columns.
+/// Aligned text for people, in lines of about 100 columns.
 std::string inspection_text(const Inspection& inspection);
 
-/// The same as one object; bytes of names that are no UTF-8 are for dump() to replace.
+/// The same as one object; dump() must replace bytes of names that are not UTF-8.
 nlohmann::ordered_json inspection_json(const Inspection& inspection);
 
-/// What a material does to light in one word: matte, highlight, mirror, glass or see-through.
+/// A material's effect on light in one word: matte, highlight, mirror, glass or see-through.
 std::string_view kind_of(const Material& material);
 
 /// The numbers of the `most` components with the most triangles, largest first.

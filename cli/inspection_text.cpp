@@ -28,7 +28,7 @@ std::string color(const vec3& c) {
   return c.x == c.y && c.y == c.z ? fmt::format("{:.3g}", c.x) : fmt::format("{:.3g} {:.3g} {:.3g}", c.x, c.y, c.z);
 }
 
-/// A name from a file, safe for a terminal: printable, and not endless. Cut between whole characters.
+/// A name from a file, made safe for a terminal: printable, and cut between characters if it is long.
 std::string shown(std::string_view name) {
   std::string text;
   for (char c : name.substr(0, kMostNameBytes)) text += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
@@ -70,7 +70,7 @@ std::string warnings_text(const Warnings& warnings) {
   return warnings.empty() ? out + "  nothing\n" : out;
 }
 
-/// "closed, wound outward", or what keeps it from being closed.
+/// "closed, wound outward", or why it is not closed.
 std::string state_of(const Component& c) {
   if (c.degenerate) return "without area";
   if (c.closed())

@@ -6,7 +6,7 @@
 namespace hybridrt::cli {
 namespace {
 
-// A signal handler can talk to the program through nothing else.
+// The only type through which a signal handler may tell the program something.
 volatile std::sig_atomic_t first_signal = 0;
 
 void handle(int signal) {

@@ -4,11 +4,11 @@
 
 namespace hybridrt::cli {
 
-/// From now on the first SIGINT or SIGTERM only asks to stop after the frames in work; a second one ends
-/// the process at once.
+/// From now on the first SIGINT or SIGTERM asks to stop after the frames in progress; a second one ends the process at
+/// once.
 void catch_signals();
 
-/// True once a signal has come.
+/// True once a signal has arrived.
 bool stop_requested();
 
 /// 130 or 143 if stop_requested(), else `otherwise`.

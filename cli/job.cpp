@@ -19,7 +19,7 @@ FrameRange make_sequence(const RenderOptions& o, const FrameSpec& frames) {
   return *o.sequence;
 }
 
-/// With all that a run adds to the scene before the first frame.
+/// Throws unless there is memory for the scene and all that a run adds to it before the first frame.
 void require_room_for_run(const RenderJob& job, const SceneSource& source, size_t light_count, int threads) {
   const MemoryEstimate estimate = estimate_memory(job.scene, job.facts, job.topology, job.settings, light_count,
                                                   /*light_moves=*/true, threads, job.frames.count());

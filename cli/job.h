@@ -8,11 +8,11 @@
 
 namespace hybridrt::cli {
 
-/// The threads of a run: ours, and as many that a software GL may start.
+/// The number of threads of a run; a software GL may start as many of its own.
 int thread_count(const RenderOptions& options);
 
-/// Reads the scene and turns the options, as with_scene_settings() has them, into a job. Throws Error(usage) for
-/// options that cannot be, Error(input) for the scene. `progress` is told how far reading it is.
+/// Reads the scene and turns it and the options of with_scene_settings() into a job. Throws Error(usage) for impossible
+/// options, Error(input) for the scene. `progress` follows the reading.
 RenderJob make_render_job(const RenderOptions& options, const SceneSource& source, ThreadPool& pool, Warnings& warnings,
                           LoadProgress* progress = nullptr);
 

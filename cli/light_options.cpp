@@ -8,10 +8,10 @@
 namespace hybridrt::cli {
 namespace {
 
-/// Unit, of any length: squares overflow.
+/// `v` as a unit vector; divides first, so that squares do not overflow.
 dvec3 unit(const dvec3& v) { return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); }
 
-/// Before the camera moves any of them.
+/// The lights before the camera's motion moves any of them.
 std::vector<DirectionalLight> still_lights(const RenderOptions& o, const SceneSource& source, const Camera& first,
                                            const vec3& ambient, UpAxis up_axis, Surroundings surroundings) {
   if (!o.light && source.lights) {

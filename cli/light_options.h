@@ -7,9 +7,8 @@
 
 namespace hybridrt::cli {
 
-/// The light that flags ask for, in the colour of the source's first one; or else the source's lights, or else one that
-/// suits the surroundings, the first of them where the camera path's keys say. `camera` is already chosen. Throws
-/// Error(usage).
+/// The light of the options, in the colour of the source's first one; else the source's lights; else one that suits the
+/// surroundings. The camera path's keys move the first. `camera` must be chosen already. Throws Error(usage).
 LightMotion choose_lights(const RenderOptions& options, const SceneSource& source, const CameraMotion& camera,
                           const vec3& ambient, UpAxis up_axis, Surroundings surroundings, Warnings& warnings);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{1000}, kRedraw{100};
 
-/// Draws on a thread of its own from construction to destruction. Throws std::system_error where there is none.
+/// Draws on its own thread from construction to destruction. Throws std::system_error if none can be started.
 class LoadingLine {
  public:
   LoadingLine(std::string scene, const LoadProgress& progress)
@@ -42,7 +42,7 @@ class LoadingLine {
       drawn = true;
     }
     if (drawn) say("\r\x1b[K");
-  } catch (...) {  // out of memory: whoever loads will find out; nothing may leave a thread
+  } catch (...) {  // out of memory: the loader will report it; no exception may leave a thread
   }
 
   std::string text() const {
@@ -56,7 +56,7 @@ class LoadingLine {
   std::mutex mutex_;
   std::condition_variable wake_;
   bool loaded_ = false;
-  std::thread thread_;  // last: it uses all the others
+  std::thread thread_;  // last, as it uses all other members
 };
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 namespace hybridrt::cli {
 
-/// make_render_job(). If that takes more than a second, a line on standard error that redraws itself, and is gone in
-/// the end, tells how far it is; none without a terminal or where `quiet`.
+/// Calls make_render_job(). If that takes more than a second, a line on standard error shows the progress; it redraws
+/// itself and is erased at the end. There is none without a terminal or if `quiet`.
 RenderJob load_showing_progress(const RenderOptions& options, const SceneSource& source, ThreadPool& pool,
                                 Warnings& warnings, bool quiet);
 

@@ -1,4 +1,4 @@
-// The command table, and what becomes of exceptions: exit codes.
+// The command table, and the exit codes that exceptions become.
 
 #include <CLI/CLI.hpp>
 #include <clocale>
@@ -86,6 +86,6 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hybridrt::cli::prepare_standard_streams();
-  std::setlocale(LC_ALL, "C");  // numbers read and written alike everywhere
+  std::setlocale(LC_ALL, "C");  // numbers are read and written alike everywhere
   return static_cast<int>(hybridrt::cli::run(argc, argv));
 }

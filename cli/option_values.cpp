@@ -19,7 +19,7 @@ bool parse_number(std::string_view text, Number& out) {
 int parse_whole(const char* option, const std::string& text, int lowest, int highest) {
   int value = 0;
   if (!parse_number(text, value) || value < lowest || value > highest)
-    throw error(ErrorKind::usage, "{} {}: must be a whole number, {} to {}", option, text, lowest, highest);
+    throw error(ErrorKind::usage, "{} {}: must be a whole number from {} to {}", option, text, lowest, highest);
   return value;
 }
 
@@ -53,7 +53,7 @@ void parse_size(const char* option, const std::string& text, RenderSettings& set
   if (cross == std::string::npos || !parse_number(std::string_view(text).substr(0, cross), width) ||
       !parse_number(std::string_view(text).substr(cross + 1), height) || width < 1 || height < 1 ||
       width > kLargestSide_px || height > kLargestSide_px)
-    throw error(ErrorKind::usage, "{} {}: write WIDTHxHEIGHT, each 1 to {}, like 1024x768", option, text,
+    throw error(ErrorKind::usage, "{} {}: write WIDTHxHEIGHT, each from 1 to {}, like 1024x768", option, text,
                 kLargestSide_px);
   settings.width_px = width;
   settings.height_px = height;
@@ -95,7 +95,7 @@ uint64_t parse_bytes(const char* option, const std::string& text) {
     if (rest == "B" || rest == "iB") rest = {};
   }
   if (status != std::errc() || !rest.empty() || !(bytes >= 1 && bytes < 1e18))
-    throw error(ErrorKind::usage, "{} {}: write a number with K, M, G or T behind it, like 8G, or none", option, text);
+    throw error(ErrorKind::usage, "{} {}: write a number followed by K, M, G or T, like 8G, or none", option, text);
   return static_cast<uint64_t>(bytes);
 }
 

@@ -8,7 +8,7 @@
 
 namespace hybridrt::cli {
 
-// What options' values mean. Every function throws Error(usage) that names the option and says what is allowed.
+// Parsers of option values. Every function throws Error(usage), naming the option and what is allowed.
 
 constexpr int kLargestSide_px = 65536;
 
@@ -21,19 +21,19 @@ double parse_fov(const char* option, const std::string& text);
 /// Three finite numbers between commas.
 dvec3 parse_vector(const char* option, const std::string& text);
 
-/// The same, not all zero.
+/// The same, but not all zero.
 dvec3 parse_direction(const char* option, const std::string& text);
 
-/// WIDTHxHEIGHT into `settings`.
+/// Stores WIDTHxHEIGHT in `settings`.
 void parse_size(const char* option, const std::string& text, RenderSettings& settings);
 
-/// X,Y,W,H. Whether it lies inside the frame is for finished_settings() to say.
+/// X,Y,W,H. finished_settings() checks that it lies inside the frame.
 PixelRect parse_crop(const char* option, const std::string& text);
 
 /// Names between commas; the bits of kAovId and so on.
 uint32_t parse_aovs(const char* option, const std::string& text);
 
-/// Bytes: a number and K, M, G or T (of 1024), with or without B or iB behind it. "none" is no limit.
+/// Bytes: a number followed by K, M, G or T (powers of 1024), optionally with B or iB. "none" is no limit.
 uint64_t parse_bytes(const char* option, const std::string& text);
 
 /// "true" or "false".

@@ -51,7 +51,7 @@ std::string unknown_argument_message(const CLI::App& app) {
   return fmt::format("unknown {} {}; see '{} --help'", what, unknown, command);
 }
 
-/// The option that the parser's message begins with (after `before`), of `app` or a chosen command in it.
+/// The option of `app` or of a chosen command that the parser's message names (after `before`).
 const CLI::Option* option_in(const CLI::App& app, std::string_view message, std::string_view before) {
   if (!message.starts_with(before)) return nullptr;
   message.remove_prefix(before.size());

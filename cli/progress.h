@@ -7,14 +7,14 @@
 
 namespace hybridrt::cli {
 
-/// Tells on standard error how far a sequence is: a bar that redraws itself on a terminal, else a line now
-/// and then.
+/// Shows on standard error how far a sequence has come: a bar that redraws itself on a terminal, else a line from time
+/// to time.
 class Progress {
  public:
   Progress(int64_t frames, bool quiet);
   ~Progress();
   void frame_done();
-  /// A line that leaves the bar whole.
+  /// Prints a line without damaging the bar.
   void say(const std::string& line);
 
  private:

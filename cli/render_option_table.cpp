@@ -15,20 +15,20 @@ constexpr Named<LightFollows> kLightFollows[] = {{"camera", LightFollows::camera
 using Options = RenderOptions;
 using Text = const std::string&;
 
-/// An option whose value is taken as it is.
+/// An option whose value is stored as text.
 RenderOption text(const char* name, const char* value, const char* group, const char* help,
                   std::string Options::*member) {
   return {name, value, group, help, [member](Options& o, Text t) { o.*member = t; }};
 }
 
-/// A whole number among the settings.
+/// An option for a whole number in the settings.
 RenderOption number(const char* name, const char* value, const char* group, const char* help,
                     int RenderSettings::*member, int lowest, int highest) {
   return {name, value, group, fmt::format("{}, {} to {} (default {})", help, lowest, highest, RenderSettings().*member),
           [=](Options& o, Text t) { o.settings.*member = parse_whole(name, t, lowest, highest); }};
 }
 
-/// One of a setting's names.
+/// An option whose value is one of a table's names.
 template <typename Value, size_t N>
 RenderOption choice(const char* name, const char* value, const char* group, const std::string& help,
                     Value RenderSettings::*member, const Named<Value> (&table)[N]) {
@@ -50,7 +50,7 @@ std::vector<RenderOption> camera_and_light() {
                    names_in(kUpAxes), name_in(kUpAxes, UpAxis())),
        [](Options& o, Text t) { o.up_axis = parse_name("--up-axis", kUpAxes, t); }},
       text("--camera", "FILE", group, "Camera path: keyframes or an orbit, as JSON", &Options::camera),
-      {"--eye", "X,Y,Z", group, "Still camera: where it stands (default: an orbit)",
+      {"--eye", "X,Y,Z", group, "Still camera: its position (default: an orbit)",
        [](Options& o, Text t) { o.eye = parse_vector("--eye", t); }},
       {"--target", "X,Y,Z", group, "Still camera: what it looks at (default: the scene's middle)",
        [](Options& o, Text t) { o.target = parse_vector("--target", t); }},
@@ -77,14 +77,14 @@ std::vector<RenderOption> picture() {
       {"--frames", "SPEC", group,
        fmt::format("100 (frames 1-100), 1-100, 1-100:5, 1-10,20,30-40 (default {})", Options().frames),
        [](Options& o, Text t) { o.frames = t; }},
-      {"--sequence", "A-B", group, "The whole that the frames belong to (default: first to last frame)",
+      {"--sequence", "A-B", group, "The sequence that the frames belong to (default: first to last frame)",
        [](Options& o, Text t) { o.sequence = parse_sequence(t); }},
       {"--size", "WxH", group, fmt::format("Pixels (default {}x{})", defaults.width_px, defaults.height_px),
        [](Options& o, Text t) { parse_size("--size", t, o.settings); }},
       {"--crop", "X,Y,W,H", group, "Render this part of the frame only",
        [](Options& o, Text t) { o.settings.crop = parse_crop("--crop", t); }},
       {"--aov", "LIST", group,
-       "Also write any of " + names_in(kAovs) + " (files of their own; layers of an .exr); commas between them",
+       "Also write any of " + names_in(kAovs) + " (as separate files; as layers of an .exr), separated by commas",
        [](Options& o, Text t) { o.settings.aovs = parse_aovs("--aov", t); }},
   };
 }
@@ -102,11 +102,12 @@ std::vector<RenderOption> method() {
        [](Options& o, Text t) {
          o.settings.blur_kernel_px = parse_whole("--blur-kernel", t, 1, kLargestBlurKernel_px);
          if (o.settings.blur_kernel_px % 2 == 0)
-           throw error(ErrorKind::usage, "--blur-kernel {}: must be odd, 1 to {}", t, kLargestBlurKernel_px);
+           throw error(ErrorKind::usage, "--blur-kernel {}: must be an odd number from 1 to {}", t,
+                       kLargestBlurKernel_px);
        }},
       number("--shadow-map", "N", group, "Texels along each side", &RenderSettings::shadow_map_px, 1, kLargestSide_px),
       choice("--shadow-warp", "W", group,
-             "lispsm: fitted to what is seen, more of it nearby; uniform: fitted to the whole scene",
+             "lispsm: fitted to what is seen, finer nearby; uniform: fitted to the whole scene",
              &RenderSettings::shadow_warp, kShadowWarps),
       number("--samples", "N", group, "Samples per pixel, in a fixed pattern", &RenderSettings::samples, 1, 4096),
       number("--reflection-depth", "D", group, "Generations of rays after the first", &RenderSettings::reflection_depth,
@@ -121,7 +122,7 @@ std::vector<RenderOption> machine() {
       {"--threads", "N", group, "Processors to use (default: all that are allowed)",
        [](Options& o, Text t) { o.threads = parse_whole("--threads", t, 1, 1024); }},
       {"--max-memory", "SIZE", group,
-       "Refuse what needs more, by an estimate: 8G, 500M, none (default: all that the machine or its cgroup has)",
+       "Refuse runs estimated to need more: 8G, 500M, none (default: all that the machine or its cgroup has)",
        [](Options& o, Text t) { o.most_bytes = parse_bytes("--max-memory", t); }},
       number("--frames-in-flight", "N", group, "Frames that GPU and CPU work on at once (1: pass after pass)",
              &RenderSettings::frames_in_flight, 1, 16),

@@ -8,14 +8,14 @@
 
 namespace hybridrt::cli {
 
-/// One option of a render. The table of these is the only place that knows its name, its values, its default and its
-/// help: the parser, the help text and the `settings` of a scene JSON all go by it.
+/// One option of a render. The table of these is the only place that holds its name, values, default and help: parser,
+/// help text and the `settings` of a scene JSON all follow it.
 struct RenderOption {
   const char* name;   ///< "--size"
-  const char* value;  ///< what stands for its value in the help: "WxH"; empty for a flag
-  const char* group;  ///< of the help
+  const char* value;  ///< its value's name in the help: "WxH"; empty for a flag
+  const char* group;  ///< its group in the help
   std::string help;   ///< values and default included
-  /// Puts the value's meaning into the options. Throws Error(usage) naming the option and what it takes.
+  /// Stores the value in the options. Throws Error(usage), naming the option and what it takes.
   std::function<void(RenderOptions&, const std::string& value)> set;
 
   bool is_flag() const { return *value == 0; }

@@ -9,7 +9,7 @@
 namespace hybridrt::cli {
 namespace {
 
-/// `name` as a scene JSON has it, without dashes.
+/// `name` as in a scene JSON, without dashes.
 void apply_setting(const std::vector<RenderOption>& table, const std::string& name, const std::string& value,
                    RenderOptions& options) {
   const auto option =
@@ -54,7 +54,7 @@ RenderOptions with_scene_settings(const RenderOptions& options, const SceneSourc
   const std::vector<RenderOption> table = render_option_table();
   RenderOptions merged;
   merged.scene = options.scene;
-  try {  // alone first, so that what is wrong with them is the file's fault
+  try {  // first without the command line, so that errors are the file's
     for (const auto& [name, value] : source.settings) apply_setting(table, name, value, merged);
     finished_settings(merged);
     parse_frame_spec(merged.frames);

@@ -18,7 +18,7 @@ class App;
 
 namespace hybridrt::cli {
 
-/// What the options of a render say, with the defaults. Points and directions are in the axes of the scene's files.
+/// The options of a render, with their defaults. Points and directions are in the axes of the scene's files.
 struct RenderOptions {
   std::string scene;
   RenderSettings settings;            ///< complete after finished_settings()
@@ -31,7 +31,7 @@ struct RenderOptions {
   bool light_follows_camera = false;
   std::optional<double> fov_y_rad;     ///< default: the camera's own
   std::optional<int> threads;          ///< default: all allowed processors
-  std::optional<uint64_t> most_bytes;  ///< of memory; default: what the machine and the cgroup have
+  std::optional<uint64_t> most_bytes;  ///< memory limit; default: what the machine and the cgroup have
   gl::ContextRequest gl;
   std::string shaders;  ///< folder; empty: the built-in ones
 
@@ -39,14 +39,14 @@ struct RenderOptions {
   std::vector<std::pair<std::string, std::string>> given;
 };
 
-/// Adds the options that decide pictures and how they are made (not where they go): render_option_table.h.
+/// Adds the options of render_option_table.h: what decides pictures and how they are made, not where they go.
 void add_render_options(CLI::App& app, RenderOptions& options);
 
-/// The options after the source's `settings`; what was given on the command line wins. Throws Error(input) naming the
-/// scene for settings that are no render option or have a value that it does not take.
+/// The options with the source's `settings` applied; the command line takes precedence. Throws Error(input), naming the
+/// scene, for settings that are not render options or have a value that the option does not take.
 RenderOptions with_scene_settings(const RenderOptions& options, const SceneSource& source);
 
-/// The settings of every frame. Throws Error(usage) for options that do not go together.
+/// The settings of every frame. Throws Error(usage) for options that contradict each other.
 RenderSettings finished_settings(const RenderOptions& options);
 
 }  // namespace hybridrt::cli

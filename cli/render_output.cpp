@@ -39,7 +39,7 @@ bool is_taken(FileClaims& claims, const fs::path& file) { return file != "-" && 
 void require_free(bool taken, const fs::path& file) {
   if (taken)
     throw error(ErrorKind::output,
-                "another run is writing {} at this moment; wait for it, write elsewhere, or give each run its own "
+                "another run is writing {}; wait for it, write elsewhere, or give each run its own "
                 "--frames",
                 file.string());
 }
@@ -60,9 +60,8 @@ void claim_all(const OutputOptions& options, const RenderJob& job, OutputPaths& 
   if (is_whole(job) && (is_taken(claims, paths.timings) || is_taken(claims, paths.report))) {
     const std::string usual = paths.report.string();
     name_tables(options, job, true, paths);
-    warnings.push_back(fmt::format("another run is writing {} or its timings at this moment; this one's go to {}{}",
-                                   usual, paths.report.string(),
-                                   options.timings.empty() ? " and " + paths.timings : ""));
+    warnings.push_back(fmt::format("another run is writing {} or its timings; those of this run go to {}{}", usual,
+                                   paths.report.string(), options.timings.empty() ? " and " + paths.timings : ""));
   }
   require_free(is_taken(claims, paths.timings), paths.timings);
   require_free(is_taken(claims, paths.report), paths.report);

@@ -11,7 +11,7 @@
 
 namespace hybridrt::cli {
 
-/// What can be said about a render's files.
+/// The options about a render's files.
 struct OutputOptions {
   std::string pattern, timings, contact_sheet;
   bool json = false, quiet = false, verbose = false;
@@ -24,10 +24,10 @@ struct OutputPaths {
   std::filesystem::path report;
 };
 
-/// Settles all of that before anything is rendered: makes the folders, tries each file, and claims them all, so that
-/// two runs at once do not write the same ones. When only the timings or the report would be the same, theirs get the
-/// range of the frames in their names, with a warning. Throws Error: usage for names and formats that cannot be,
-/// output for what cannot be written or is being written by another run.
+/// Decides the paths before anything is rendered: makes the folders, tests that each file can be written, and claims
+/// them all, so that no two runs write the same files. If only the timings or the report would clash, this run's get
+/// the range of its frames in their names, with a warning. Throws Error(usage) for impossible names and formats,
+/// Error(output) for what cannot be written or is being written by another run.
 OutputPaths prepare_output(const OutputOptions& options, const RenderOptions& render, const RenderJob& job,
                            FileClaims& claims, Warnings& warnings);
 

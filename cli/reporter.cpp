@@ -37,7 +37,7 @@ void Reporter::frame(const Frame& frame, const std::filesystem::path& path) {
   progress_.frame_done();
   if (json_) {
     json timings;
-    for (size_t i = 0; i < kPassNames.size() - 1; ++i)  // written later
+    for (size_t i = 0; i < kPassNames.size() - 1; ++i)  // the last, writing, comes later
       timings[std::string(kPassNames[i]) + "_ms"] = frame.timings.pass_ms[i];
     timings["wall_ms"] = frame.timings.wall_ms;
     emit({{"event", "frame"}, {"frame", frame.number}, {"path", path.string()}, {"timings", timings}});

@@ -59,14 +59,14 @@ std::string settings_line(const RenderSettings& s) {
 std::string summary_table(const RenderJob& job, const RunTotals& totals) {
   static constexpr const char* kWhat[] = {"1 shadow map",
                                           "2 triangle ids + shadow test",
-                                          "3 boundary marking",
+                                          "3 marking",
                                           "  readback",
                                           "4 rays on the CPU",
                                           "  upload",
                                           "5 shading",
                                           "  download",
-                                          "  encoding + writing (beside the rest)"};
-  std::string out = fmt::format("\n{:<40} {:>12}\n", "pass", "ms a frame");
+                                          "  encoding + writing (in parallel)"};
+  std::string out = fmt::format("\n{:<40} {:>12}\n", "pass", "ms per frame");
   for (size_t i = 0; i < totals.sum.pass_ms.size(); ++i)
     out += fmt::format("{:<40} {:>12.2f}\n", kWhat[i], per_frame(totals.sum.pass_ms[i], totals));
   out += fmt::format("{:<40} {:>12.2f}\n\n", "from frame to frame", per_frame(totals.sum.wall_ms, totals));

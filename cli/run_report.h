@@ -14,14 +14,14 @@ struct RunTotals {
   FrameTimings sum;
   TraceStats stats;
   double load_ms = 0;       ///< reading the scene
-  double rendering_ms = 0;  ///< from the scene being ready to the last frame's download
-  double drain_ms = 0;      ///< writing left after that
+  double rendering_ms = 0;  ///< from when the scene is ready to the last frame's download
+  double drain_ms = 0;      ///< writing that was left after that
 
   void add(const Frame& frame);
   double frames_per_second() const;
 };
 
-/// The closing table: time of each pass, rays fired and saved, frames a second.
+/// The closing table: time per pass, rays fired and saved, frames per second.
 std::string summary_table(const RenderJob& job, const RunTotals& totals);
 
 /// Facts of a run for run.json: version, scene, settings, GL renderer, processor, times, memory.
@@ -31,7 +31,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
 /// The settings that decide pixels, as one line for image metadata.
 std::string settings_line(const RenderSettings& settings);
 
-/// The processor's name as the system gives it.
+/// The processor's name, from the system.
 std::string processor_name();
 
 }  // namespace hybridrt::cli

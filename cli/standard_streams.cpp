@@ -10,7 +10,8 @@
 namespace hybridrt::cli {
 
 void prepare_standard_streams() {
-  // As gnulib's stdopen: opened the wrong way round, on a device that refuses too who opens /dev/stdout anew.
+  // Like gnulib's stdopen: opens each for the wrong direction, and on a device that also refuses writers who reopen
+  // /dev/stdout.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/full", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   std::signal(SIGPIPE, SIG_IGN);
@@ -20,7 +21,7 @@ void prepare_standard_streams() {
 void say(std::string_view text) noexcept { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 void complain(std::string_view message) noexcept {
-  std::fprintf(stderr, "hybridrt: %.*s\n", static_cast<int>(message.size()), message.data());  // in one piece
+  std::fprintf(stderr, "hybridrt: %.*s\n", static_cast<int>(message.size()), message.data());  // in one write
 }
 
 void flush_output() {

@@ -26,7 +26,7 @@ ExitCode print_version(bool as_json) {
   try {
     const gl::ContextInfo info = gl::open_context({})->info();
     facts["gl_renderer"] = info.renderer + ", OpenGL " + info.version;
-  } catch (const Error&) {  // a version can be told without one
+  } catch (const Error&) {  // the version needs no GL
   }
   if (as_json) {
     fmt::print("{}\n", facts.dump(2));

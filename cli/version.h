@@ -6,14 +6,14 @@
 
 namespace hybridrt::cli {
 
-extern const char* const kVersion;   ///< of the program
-extern const char* const kCommit;    ///< that it was built from; "unknown" outside a checkout
+extern const char* const kVersion;   ///< the program's version
+extern const char* const kCommit;    ///< the commit that it was built from; "unknown" outside a checkout
 extern const char* const kCompiler;  ///< name and version
 
-/// The libraries that pixels and times depend on, with the versions that this program was built with.
+/// The libraries that pixels and times depend on, with the versions that the program was built with.
 nlohmann::ordered_json library_versions();
 
-/// `hybridrt --version`: all of that, and the GL renderer when a context can be opened.
+/// `hybridrt --version`: all of that, and the GL renderer if a context can be opened.
 ExitCode print_version(bool as_json);
 
 }  // namespace hybridrt::cli

@@ -3,8 +3,8 @@
 
     scripts/agreement.py [-o docs/results/agreement.md] [--scenes DIR] [--triangles 100000] [--size 512x384]
 
-Scenes: the procedural ones and every mesh below DIR. What counts is the 8-bit picture as the binary writes it. Where
-a method and the reference see different triangles at a pixel's centre (outlines, by rounding) pictures may differ;
+Scenes: the procedural ones and every mesh below DIR. The 8-bit pictures that the binary writes are compared. Where
+a method and the reference see different triangles at a pixel's centre (outlines, by rounding) pictures may differ:
 those pixels are counted, and left out of the last two columns.
 """
 import argparse
@@ -25,14 +25,14 @@ METHODS = [
 ]
 MESHES = (".obj", ".ply", ".off", ".stl")
 
-OFF = 2  # steps of 255 that a channel may differ by
+OFF = 2  # largest difference of a channel that counts as equal, in 255ths
 LEAST_PSNR = 50  # dB
 MOST_OFF_PERCENT = 0.1
 MOST_OTHER_TRIANGLES_PERCENT = 0.1
 
 
 class Agreement:
-    """Two pictures, pixel by pixel; `other` says of each pixel whether the methods see different triangles."""
+    """Two pictures, pixel by pixel; `other` says per pixel whether the methods see different triangles."""
 
     def __init__(self, picture, reference, ids, reference_ids):
         self.pixels = picture.width * picture.height
@@ -61,11 +61,11 @@ class Agreement:
         return 100 * count / self.pixels
 
     def same_colour_percent(self):
-        """Of the pixels that see another triangle, those that are not off."""
+        """The percentage of the pixels that see another triangle and are not off."""
         return 100 * (1 - (self.off - self.off_elsewhere) / self.other)
 
     def missed(self):
-        """The targets that it misses, in words."""
+        """The missed targets, in words."""
         said = []
         if self.percent(self.other) > MOST_OTHER_TRIANGLES_PERCENT:
             said.append("triangles")
@@ -81,7 +81,7 @@ def _psnr(squares, pixels):
 
 
 def render(binary, scene, options, size, folder):
-    """The picture, the picture of ids, and the facts of run.json; an exception with the binary's words if it refuses."""
+    """The picture, the picture of ids, and run.json; raises an exception with the binary's message if it refuses."""
     command = [binary, "render", scene, "--size", size, "--aov", "id", "-q", "-o", f"{folder}/p.png", *options]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
@@ -91,7 +91,7 @@ def render(binary, scene, options, size, folder):
 
 
 def measure(binary, scene, size, options=(), methods=METHODS, keep=None):
-    """{method: Agreement} of a scene. `keep`: a folder for the pictures, one below it a method."""
+    """{method: Agreement} of a scene. `keep`: a folder for the pictures, with a subfolder per method."""
     with tempfile.TemporaryDirectory() as temporary:
         def run(name, method):
             folder = pathlib.Path(keep or temporary, name.replace(", ", "_"))
@@ -134,11 +134,11 @@ def report(rows, refused, facts, arguments):
 
 `scripts/agreement.py --triangles {arguments.triangles} --size {arguments.size}{below}`
 
-Targets, against `--method reference` (double precision, every ray) in 8 bits a channel: at most
+Targets, against `--method reference` (double precision, every ray) in 8 bits per channel: at most
 {MOST_OTHER_TRIANGLES_PERCENT} % of the pixels see another triangle at their centre; everywhere else PSNR >= {LEAST_PSNR} dB, and at most
-{MOST_OFF_PERCENT} % of the pixels off by more than {OFF}/255 in any channel. "Elsewhere" is away from the pixels that see another
-triangle; "equal" is equal to the last bit. Reflection depth as by default, 4. Where triangles miss their target but have
-the same colour, the file holds faces twice: which of two equal ones is seen is for rounding to say, or for the order in
+{MOST_OFF_PERCENT} % of the pixels off by more than {OFF}/255 in any channel. "Elsewhere" leaves out the pixels that see another
+triangle; "equal" means equal to the last bit. The reflection depth is the default, 4. Where triangles miss their target but have
+the same colour, the file holds faces twice: which of two equal ones is seen depends on rounding, or on the order in
 which Embree meets them.
 
 {facts['gl']['renderer']}; hybridrt {facts['version']} ({facts['commit']}).
@@ -152,7 +152,7 @@ def main():
     parser.add_argument("-o", "--output", help="Markdown file (default: standard output)")
     parser.add_argument("--binary", default="build/release/bin/hybridrt")
     parser.add_argument("--scenes", help="a folder whose meshes are measured too")
-    parser.add_argument("--triangles", type=int, default=100_000, help="of the procedural scenes")
+    parser.add_argument("--triangles", type=int, default=100_000, help="triangles of the procedural scenes")
     parser.add_argument("--size", default="512x384")
     parser.add_argument("--keep", help="a folder for the pictures, to look at them")
     arguments = parser.parse_args()

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Configures, where needed, and builds one preset: scripts/build.sh PRESET [TARGET…]. Without a
-# terminal only what goes wrong is shown.
+# Configures, if needed, and builds one preset: scripts/build.sh PRESET [TARGET…]. Without a terminal only errors are
+# shown.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

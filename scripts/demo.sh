@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Shows what hybridrt does: sets the machine up, builds, renders a short sequence of mirroring balls and ends with
-# the time of each pass and the paths of what was made. Takes about a minute once built.
+# Shows what hybridrt does: sets up the machine, builds, renders a short sequence of mirroring balls, and prints the
+# time of each pass and the paths of the results. Takes about a minute once built.
 #
 #   scripts/demo.sh [options of hybridrt render, like --frames 10 or --method raytrace]
 set -euo pipefail
@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 folder=out/demo
 options=("$@")
 
-# Leaves an option that the user gave alone: the command line takes each once.
+# Adds no option that the user gave: the command line takes each only once.
 default_option() {
   local given
   for given in "${options[@]}"; do
@@ -18,7 +18,7 @@ default_option() {
   options+=("$1" "$2")
 }
 
-# Frames appear under their names only when they are complete. The progress bar draws over itself: clear its line.
+# Frames get their names only when they are complete. The progress bar draws over itself: clear its line.
 announce_first_image() {
   local images
   while true; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Formats all C++ by .clang-format: scripts/format.sh. With --check nothing is written; every place that differs is named,
-# and the script fails. The tree is formatted by clang-format 14; other versions may want other line breaks.
+# Formats all C++ by .clang-format: scripts/format.sh. With --check it writes nothing, names every place that differs,
+# and fails if there is one. The tree is formatted with clang-format 14; other versions may break lines differently.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -3,9 +3,9 @@
 
     scripts/pass_times.py [-o docs/results/pass_times.md] [--triangles 500000] [--rounds 5] [--frames 12]
 
-The paper's measuring scene: balls, 1024x768, 10 % of them mirrors. Every row is one set of options; rounds are
+The paper's measuring scene: balls, 1024x768, 10 % of them mirrors. Every row is one set of options. Rounds are
 interleaved (a row's runs are spread over the whole time), the first frames of a run are left out (drivers compile
-then), and what stands in the table is the median over all frames with the quartiles of the frame time behind it.
+then), and the table shows medians over all frames, with the quartiles of the frame time.
 """
 import argparse
 import csv
@@ -79,7 +79,7 @@ def main():
 
 {scene}, 1024x768, an orbit; {facts['processor']}, {facts['threads']} threads; {facts['gl']['renderer']},
 {facts['gl']['version']}; hybridrt {facts['version']} ({facts['commit']}). Milliseconds, medians of
-{len(first)} frames a row. A software GL shares the processors with pass 4, so with two frames in flight the passes
+{len(first)} frames per row. A software GL shares the processors with pass 4, so with two frames in flight the passes
 overlap and each takes longer; what counts there is the frame time.
 
 {table(results, shadow_map_ms)}

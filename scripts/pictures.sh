@@ -10,7 +10,7 @@ render() { "$hybridrt" render "$@" --quiet --timings /dev/null; }
 render scene:chess,triangles=600000 --fov 33 --size 1280x720 --reflection-depth 8 --samples 16 -o "$out/chess.png"
 render scene:thin --size 800x600 --samples 16 -o "$out/thin.png"
 
-# The whole picture, and what each pass made of it (the paper's figure 3).
+# The whole picture, and what each pass contributes (the paper's figure 3).
 render scenes/still_life.obj --size 800x600 -o "$out/still_life.png" --reflection-depth 8 --samples 16
 render scenes/still_life.obj --size 320x240 --shadows blur -o "$out/passes.png" --aov id,shadow,marked,traced
 

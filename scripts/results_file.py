@@ -1,8 +1,8 @@
-"""What the scripts that write docs/results share."""
+"""Shared by the scripts that write docs/results."""
 
 
 def text_before_tables(path):
-    """What people wrote stays: everything up to the mark."""
+    """The text written by people, which is kept: everything up to the mark."""
     mark = "<!-- tables -->"
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     return (text.split(mark)[0] if mark in text else "") + mark + "\n"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that building, testing and running hybridrt take.
-# Quick and silent when nothing is missing. HYBRIDRT_SETUP=skip leaves the machine alone.
+# Installs the Debian packages for building, testing and running hybridrt. Quick and silent if nothing is missing.
+# HYBRIDRT_SETUP=skip leaves the machine alone.
 set -euo pipefail
 
 packages=(
@@ -39,7 +39,7 @@ fail() {
 
 missing_packages() {
   local installed
-  # Fails when one package is unknown, yet still prints the others.
+  # Fails if a package is unknown, but still prints the others.
   installed=$(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' "${packages[@]}" 2>/dev/null | sed -n 's/^ii *//p' || true)
   comm -23 <(printf '%s\n' "${packages[@]}" | sort) <(sort -u <<<"$installed")
 }
@@ -70,8 +70,8 @@ fi
 echo "setup.sh: installing ${#missing[@]} Debian packages: ${missing[*]}" >&2
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-# A fresh machine has no package lists, an old one lists that its mirror has left behind: the first
-# attempt shows which, and a mirror may stumble, so updating has a second chance.
+# A new machine has no package lists, and an old one may have outdated lists; then the first attempt fails. Mirrors fail
+# at times, so updating is tried twice.
 if ! install_missing; then
   apt_get update || { sleep 5; apt_get update; } || true
   install_missing || {

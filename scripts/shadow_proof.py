@@ -5,9 +5,9 @@ Writes docs/results/proof.md.
 
   scripts/shadow_proof.py [--quick] [--lights 12] [--size 400x300] [--build build/release] [-o FILE] [SCENE | FOLDER …]
 
-Scenes, and all OBJ and PLY files below folders, are seen from near and from afar, each under lights from the zenith
-to half a degree above the horizon and one along the view. Exits with 1 if one pixel's shadow is wrong, or none was
-seen. Compared are pixels that see the same triangle; the others are counted. --quick: small.
+Scenes, and all OBJ and PLY files below folders, are seen from near and from far, each under lights from the zenith
+to half a degree above the horizon and one along the view. Exits with 1 if any pixel's shadow is wrong, or none was
+seen. Pixels that see the same triangle are compared; the others are counted. --quick: small.
 """
 import argparse
 import csv
@@ -28,7 +28,7 @@ def text_of(vector):
 
 
 def run(command):
-    """What the command prints; its messages are shown only if it fails."""
+    """Runs a command and returns what it prints; its messages are shown only if it fails."""
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         raise SystemExit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stderr}")
@@ -36,7 +36,7 @@ def run(command):
 
 
 def cameras(binary, scene):
-    """(options, direction toward the camera) of each."""
+    """(options, direction toward the camera) of each camera."""
     bounds = json.loads(run([binary, "inspect", scene, "--json"]))["bounds"]
     lo, hi = bounds["lo"], bounds["hi"]
     middle = [(a + b) / 2 for a, b in zip(lo, hi)]

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What shadow modes cost and what they get wrong; writes docs/results/shadows.md, with --warps shadow_warp.md.
+"""Measures what shadow modes cost and get wrong; writes docs/results/shadows.md, with --warps shadow_warp.md.
 
   scripts/shadow_results.py [--warps] [--lights 12] [--triangles 500000] [--options="--fov 30"] [-o FILE] [SCENE ...]
 
-Each mode renders two frames from the same place under each light; times are of the second, when what stands still is
+Each mode renders two frames from the same place under each light; times are of the second, when what does not move is
 kept. Wrong pixels are those whose shadow differs from `--method reference`, where both see the same triangle.
 """
 import argparse
@@ -89,7 +89,7 @@ def measure(runner, scene, modes, lights, threads):
 
 def table(results):
     lines = ["| `--shadows` | ms: median (worst) | traced: median (worst) | false lit, all lights | false shadow | "
-             "other triangle a frame | repair, ms |", "|---|---|---|---|---|---|---|"]
+             "other triangle per frame | repair, ms |", "|---|---|---|---|---|---|---|"]
     for mode, rows in results.items():
         ms, traced, lit, shadow, other, repair = zip(*rows)
         lines.append(f"| {mode} | {statistics.median(ms):.1f} ({max(ms):.1f}) | {100 * statistics.median(traced):.1f} % "
@@ -114,7 +114,7 @@ def main():
     parser.add_argument("--warps", action="store_true", help="compare --shadow-warp, without times")
     parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--build", type=Path, default=Path("build/release"))
-    parser.add_argument("--options", default="", help="of render, for every mode and the reference")
+    parser.add_argument("--options", default="", help="options of render, for every mode and the reference")
     parser.add_argument("-o", "--output", type=Path)
     parser.add_argument("scenes", nargs="*", help="default: chess, thin and spheres")
     args = parser.parse_args()

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds and tests everything, from nothing if need be; ends with CTest's closing lines.
+# Builds and tests everything, from scratch if needed; ends with CTest's closing lines.
 #
 #   scripts/test.sh [--quick] [CTest options, like -R kd_tree or -L unit]
 #

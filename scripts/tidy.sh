@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# clang-tidy on the C++ that has changed since a revision: scripts/tidy.sh [REVISION], by default HEAD, which is what is not
-# yet committed. Advice, not a gate: read it before you commit. Takes the compile commands of build/release.
+# Runs clang-tidy on the C++ changed since a revision: scripts/tidy.sh [REVISION], by default HEAD, that is, what is not
+# committed yet. Advice, not a gate: read it before you commit. Uses the compile commands of build/release.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

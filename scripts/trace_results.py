@@ -30,7 +30,7 @@ def processor():
 
 
 def measure(bench, scene, rounds):
-    """Results of one scene: {benchmark: {counter: [value of each round]}}, and the line that describes the scene."""
+    """Results for one scene: {benchmark: {counter: [value of each round]}}, and the line that describes the scene."""
     command = [bench, f"--scene={scene}", f"--benchmark_repetitions={rounds}", "--benchmark_min_time=0.1",
                "--benchmark_enable_random_interleaving=true", "--benchmark_format=json"]
     output = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
@@ -81,7 +81,7 @@ def section(about, results):
     lines += ["", f"All threads, shadow all: Embree's packets {together['embree_packets']:.1f}, "
               f"light buffer {together['light_buffer']:.1f} Mrays/s "
               f"({together['light_buffer'] / together['embree_packets']:.2f}).", "",
-              "| | build, ms (range) | bytes a triangle |", "|---|---|---|"]
+              "| | build, ms (range) | bytes per triangle |", "|---|---|---|"]
     for name, label in (("kd_tree", "kd-tree"), ("embree", "Embree, high quality"), ("light_buffer", "light buffer")):
         size = median(results, f"build/{name}", "bytes/triangle")
         lines.append(f"| {label} | {median(results, f'build/{name}', 'real_time'):.0f} "

@@ -30,15 +30,15 @@ ARROWS = {
                     "core/image", "core/base"],
     "core/golden": ["core/image", "core/base"],
 }
-# A pass has its GL form in one of these and its CPU form in the other.
+# The GL form of a pass is in one of these, its CPU form in the other.
 FORMS_OF_PASSES = ("core/passes_gl/", "core/passes_cpu/")
 SHARED_BY_PASSES = ("scene_gpu", "view_uniforms")
 ABOVE_CORE = {"cli": ["core"], "tests": ["core", "cli", "shaders"]}
 
-# What C++ and GLSL share; anyone may include these, no one another shader.
+# Shared by C++ and GLSL; anyone may include these, but no other shader.
 SHARED_WITH_GLSL = ["shaders/shared.h", "shaders/surface.glsl", "shaders/texture.glsl"]
 
-# Third-party headers by their beginning, and the only folders or files that may include them.
+# Third-party headers by prefix, and the only folders or files that may include them.
 FENCES = {
     "OpenImageIO/": ["core/image_io/", "tests/image_io/"],
     "EGL/": ["core/gl/"],
@@ -195,7 +195,7 @@ PLANTED = [  # path, text, line of the fault or 0 for none
 
 
 def check_itself():
-    """Every planted fault is found, at its line and only once, and nothing else is."""
+    """Every planted fault is found once, at its line, and nothing else is found."""
     with tempfile.TemporaryDirectory() as root:
         for path, text, _ in PLANTED:
             os.makedirs(os.path.join(root, os.path.dirname(path)), exist_ok=True)

@@ -66,7 +66,7 @@ json read_json_file(const std::filesystem::path& path) {
     return json::parse(text);
   } catch (const json::parse_error& problem) {
     const Position at = position_of(text, problem.byte);
-    throw error(ErrorKind::input, "{}:{}:{}: not JSON: {}; mend the text there", path.string(), at.line, at.column,
+    throw error(ErrorKind::input, "{}:{}:{}: not JSON: {}; fix the text there", path.string(), at.line, at.column,
                 in_quotes(reason(problem.what())));
   } catch (const json::exception& problem) {  // a number beyond double's range
     throw error(ErrorKind::input, "{}: a number is too large: {}; write a smaller one", path.string(),

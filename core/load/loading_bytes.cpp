@@ -86,7 +86,7 @@ uint64_t making_bytes(int64_t triangles) {
 void require_room_for_scene(const std::string& what, uint64_t bytes, uint64_t most_bytes) {
   if (bytes > most_bytes)
     throw error(ErrorKind::input,
-                "{}: the scene needs about {} of memory, allowed are {}; take a smaller scene or more by --max-memory",
+                "{}: the scene needs about {} of memory, but {} are allowed; use a smaller scene or raise --max-memory",
                 what, size_text(bytes), size_text(most_bytes));
 }
 

@@ -22,9 +22,9 @@ float take_number(Statement& s) {
   const std::string_view word = take_word(s.rest);
   const std::optional<double> number = parse_number(word);
   const std::string where = fmt::format("{}:{}: {}", s.lines.path().string(), s.lines.line_number(), s.name);
-  if (word.empty()) throw error(ErrorKind::input, "{} has no number behind it; mend or remove that line", where);
+  if (word.empty()) throw error(ErrorKind::input, "{} has no number after it; fix or remove that line", where);
   if (!number || std::abs(*number) > 1e30)
-    throw error(ErrorKind::input, "{}: {} is not a usable number; mend or remove that line", where, in_quotes(word));
+    throw error(ErrorKind::input, "{}: {} is not a usable number; fix or remove that line", where, in_quotes(word));
   return static_cast<float>(*number);
 }
 

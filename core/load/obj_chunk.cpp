@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 18> kIgnored = {
     "vw", "usemap", "maplib", "c_interp", "d_interp", "shadow_obj", "trace_obj", "t",  "end"};
 
 // What a user can do about a faulty line.
-constexpr const char* kMend = "mend that line or export the mesh again";
+constexpr const char* kMend = "fix that line or export the mesh again";
 
 /// Reads an optionally signed integer, which saturates far beyond the range of int. Null without digits.
 const char* scan_index(const char* p, const char* end, int64_t& index) {

@@ -200,7 +200,7 @@ MeshData Joined::finish(const ObjCounts& counts, Warnings& warnings) {
   cut_polygons(waiting_, data_, tangled_);
 
   report(small_faces_, "faces of fewer than three corners were left out", path, warnings);
-  report(unread_texcoords_, "texture coordinates are no usable numbers and were set to 0", path, warnings);
+  report(unread_texcoords_, "texture coordinates are not usable numbers and were set to 0", path, warnings);
   report(bad_texcoords_, "texture coordinate indices lead nowhere and were left out", path, warnings);
   report(bad_normals_, "normal indices lead nowhere and were left out", path, warnings);
   report(unknown_, "lines of an unknown kind were left out", path, warnings);

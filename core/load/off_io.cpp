@@ -44,7 +44,7 @@ class OffLines {
   size_t count(double most) {
     const double value = number();
     if (!(value >= 0 && value <= most && value == std::floor(value)))
-      mesh_.fail(place(), fmt::format("{:g} is no count; allowed are 0 to {:g}", value, most));
+      mesh_.fail(place(), fmt::format("{:g} is not a count; it must be 0 to {:g}", value, most));
     return static_cast<size_t>(value);
   }
 
@@ -66,8 +66,9 @@ OffKind parse_keyword(const MeshBuilder& mesh, std::string_view keyword, size_t 
   if (keyword.starts_with("C")) kind.colors = true, keyword.remove_prefix(1);
   if (keyword.starts_with("N")) kind.normals = true, keyword.remove_prefix(1);
   if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
-    mesh.fail(place, fmt::format("{} has other than three dimensions", in_quotes(whole)));
-  if (keyword != "OFF") mesh.fail(place, fmt::format("{} is not the keyword OFF: it is no OFF file", in_quotes(whole)));
+    mesh.fail(place, fmt::format("{} does not have three dimensions", in_quotes(whole)));
+  if (keyword != "OFF")
+    mesh.fail(place, fmt::format("{} is not the keyword OFF: it is not an OFF file", in_quotes(whole)));
   return kind;
 }
 

@@ -46,7 +46,7 @@ struct HeaderText {
 
   PlyType type(std::string_view name) const {
     const auto found = kTypes.find(name);
-    if (found == kTypes.end()) fail(fmt::format("{} is no PLY number type", in_quotes(name)));
+    if (found == kTypes.end()) fail(fmt::format("{} is not a PLY number type", in_quotes(name)));
     return found->second;
   }
 };
@@ -57,7 +57,7 @@ PlyElement parse_element(const HeaderText& header, std::string_view rest) {
   const std::string_view count = take_word(rest);
   const auto [stop, status] = std::from_chars(count.data(), count.data() + count.size(), element.count);
   if (element.name.empty() || count.empty() || status != std::errc() || stop != count.data() + count.size())
-    header.fail(fmt::format("{} is no count of elements", in_quotes(count)));
+    header.fail(fmt::format("{} is not a number of elements", in_quotes(count)));
   return element;
 }
 
@@ -91,8 +91,8 @@ void require_room(const std::filesystem::path& path, const PlyHeader& header, ui
     const uint64_t least = least_bytes(element, header.format);
     if (element.count > left / least)
       throw error(ErrorKind::input,
-                  "{}: the header promises {} elements '{}' but the file has only {} bytes: cut short?", path.string(),
-                  element.count, element.name, file_bytes);
+                  "{}: the header promises {} elements '{}' but the file has only {} bytes; is it cut short?",
+                  path.string(), element.count, element.name, file_bytes);
     left -= element.count * least;
   }
 }
@@ -129,7 +129,7 @@ PlyHeader read_ply_header(const std::filesystem::path& path) {
 
   HeaderText text{path, start};
   if (!start.starts_with("ply") || trimmed(text.next()) != "ply")
-    throw error(ErrorKind::input, "{} does not begin with 'ply': it is no PLY file", path.string());
+    throw error(ErrorKind::input, "{} does not begin with 'ply': it is not a PLY file", path.string());
   PlyHeader header;
   bool has_format = false;
   for (;;) {
@@ -140,7 +140,7 @@ PlyHeader read_ply_header(const std::filesystem::path& path) {
     if (keyword == "format") {
       const std::string_view name = take_word(rest);
       const auto known = kFormats.find(name);
-      if (known == kFormats.end()) text.fail(fmt::format("{} is no PLY format", in_quotes(name)));
+      if (known == kFormats.end()) text.fail(fmt::format("{} is not a PLY format", in_quotes(name)));
       header.format = known->second;
       has_format = true;
     } else if (keyword == "element") {
@@ -149,7 +149,7 @@ PlyHeader read_ply_header(const std::filesystem::path& path) {
       if (header.elements.empty()) text.fail("a property before any element");
       header.elements.back().properties.push_back(parse_property(text, rest));
     } else {
-      text.fail(fmt::format("{} is no statement of a PLY header", in_quotes(keyword)));
+      text.fail(fmt::format("{} is not a statement of a PLY header", in_quotes(keyword)));
     }
   }
   if (!has_format) text.fail("the header does not say its format");

@@ -18,7 +18,7 @@ template <typename Values>
 size_t list_length(Values& values, const PlyProperty& property, const MeshBuilder& mesh, uint64_t index) {
   const double count = values.next(property.count_type);
   if (!(count >= 0 && count <= kMostListed && count == std::floor(count)))
-    mesh.fail(values.place(index), fmt::format("a list of {:g} numbers; allowed are 0 to {}", count, kMostListed));
+    mesh.fail(values.place(index), fmt::format("a list of {:g} numbers; there must be 0 to {}", count, kMostListed));
   values.require(static_cast<uint64_t>(count), property.type);
   return static_cast<size_t>(count);
 }
@@ -66,7 +66,8 @@ void read_faces(Values& values, const PlyElement& element, uint64_t vertices, Me
   if (list < 0 || !element.properties[static_cast<size_t>(list)].is_list)
     throw error(ErrorKind::input, "{}: its faces have no list 'vertex_indices'", mesh.data.path.string());
   if (mesh.data.positions.size() != vertices)
-    throw error(ErrorKind::input, "{}: its faces come before its vertices; write them behind", mesh.data.path.string());
+    throw error(ErrorKind::input, "{}: its faces come before its vertices; write the vertices first",
+                mesh.data.path.string());
   std::vector<uint32_t> corners;
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin(element, i);

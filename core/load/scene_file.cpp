@@ -26,7 +26,7 @@ std::vector<fs::path> parse_meshes(const JsonPlace& place, const fs::path& file)
   for (size_t i = 0; i < place.size(); ++i) {
     const std::string name = place[i].text();
     meshes.push_back(beside(file, name));
-    if (!is_mesh_file(meshes.back())) place[i].fail(fmt::format("{} is no {} file", in_quotes(name), kMeshFormats));
+    if (!is_mesh_file(meshes.back())) place[i].fail(fmt::format("{} is not an {} file", in_quotes(name), kMeshFormats));
   }
   if (meshes.empty()) place.fail("there are no meshes; give at least one");
   return meshes;

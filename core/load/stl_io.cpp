@@ -91,7 +91,7 @@ MeshData read_text(const std::filesystem::path& path, Warnings& warnings) {
         inside = false;
         close_facet(mesh, first, facet_line);
       } else if (keyword != "outer" && keyword != "loop" && keyword != "endloop") {
-        mesh.fail(lines.line_number(), in_quotes(word) + " is no statement of an STL file");
+        mesh.fail(lines.line_number(), in_quotes(word) + " is not a statement of an STL file");
       }
     }
   }

@@ -35,7 +35,7 @@ ShadowMapFit uniform_shadow_map(const LightFrame& light, int size_px);
 
 /// Light space perspective shadow map (M. Wimmer, D. Scherzer, W. Purgathofer, "Light Space Perspective Shadow Maps",
 /// EGSR 2004): fitted to the convex hull of `receivers`, points relative to view.eye in front of it, with the warp that
-/// evens out texels a pixel over the picture, n = (z0 + sqrt(z0 z1)) / sin(view, light). The pole may move sideways;
+/// evens out texels per pixel over the picture, n = (z0 + sqrt(z0 z1)) / sin(view, light). The pole may move sideways;
 /// its place is chosen so that the receivers fill the map, since under a low light a floor would be a thin line across
 /// it. What casts shadows on them is in the map as well, as it holds all that lies before and behind the hull along the
 /// light. Where view and light are nearly parallel it is fitted without warp; without receivers it is

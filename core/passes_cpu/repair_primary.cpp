@@ -12,7 +12,7 @@
 namespace hybridrt {
 namespace {
 
-constexpr int kRowsAChunk = 16;
+constexpr int kRowsPerChunk = 16;
 
 /// A triangle as the eye sees it.
 struct SeenTriangle {
@@ -202,7 +202,7 @@ RepairStats repair_primary_hits(const Scene& scene, const View& view, const RayC
   const Suspicion suspicion(view);
   RepairStats total;
   std::mutex mutex;
-  parallel_for(pool, static_cast<size_t>(view.height_px), kRowsAChunk, [&](size_t begin, size_t end) {
+  parallel_for(pool, static_cast<size_t>(view.height_px), kRowsPerChunk, [&](size_t begin, size_t end) {
     Neighbourhood seen(scene, view, ids);
     RepairStats stats;
     std::vector<int> suspects;

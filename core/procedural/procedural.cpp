@@ -28,7 +28,7 @@ constexpr ProceduralScene entry(std::string_view name, std::string_view about, S
 }
 
 constexpr ProceduralScene kScenes[] = {
-    entry<ChessOptions, make_chess>("chess", "a game of chess, of wood, glass and metal", chess_shot),
+    entry<ChessOptions, make_chess>("chess", "a game of chess in wood, glass and metal", chess_shot),
     entry<SpheresOptions, make_spheres>("spheres", "a field of balls", spheres_shot),
     entry<ThinOptions, make_thin>("thin", "grass, wires, a fence and a grating", thin_shot),
 };

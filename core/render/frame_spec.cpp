@@ -11,7 +11,7 @@
 namespace hybridrt {
 namespace {
 
-constexpr const char* kAllowed = "allowed are 100 (frames 1-100), 1-100, 1-100:5, or a list like 1-10,20,30-40";
+constexpr const char* kAllowed = "write 100 (frames 1-100), 1-100, 1-100:5, or a list like 1-10,20,30-40";
 
 int64_t count_of(const FrameRange& range) { return (int64_t{range.last} - range.first) / range.step + 1; }
 

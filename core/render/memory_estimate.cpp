@@ -95,10 +95,11 @@ void require_room_for_frames(const RenderSettings& s, size_t light_count, int th
                              uint64_t most_bytes) {
   const uint64_t bytes = estimate_frame_memory(s, light_count, threads, frame_count).total();
   if (bytes > most_bytes)
-    throw error(ErrorKind::usage,
-                "frames of {}x{} pixels need about {} of memory, allowed are {}; render smaller ones (--size, --crop, "
-                "--shadow-map), take fewer --frames-in-flight, --threads or lights, or allow more by --max-memory",
-                s.width_px, s.height_px, size_text(bytes), size_text(most_bytes));
+    throw error(
+        ErrorKind::usage,
+        "frames of {}x{} pixels need about {} of memory, but {} are allowed; render smaller ones (--size, --crop, "
+        "--shadow-map), use fewer --frames-in-flight, --threads or lights, or raise --max-memory",
+        s.width_px, s.height_px, size_text(bytes), size_text(most_bytes));
 }
 
 }  // namespace hybridrt

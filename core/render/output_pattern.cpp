@@ -29,7 +29,7 @@ std::optional<Placeholder> braces_at(const std::string& text, size_t begin) {
     if (valid) found.digits = std::max(1, std::stoi(std::string(number)));
   }
   if (!valid)
-    throw error(ErrorKind::usage, "output '{}': '{}' is no placeholder; write ####, {{frame}} or {{frame:04}}", text,
+    throw error(ErrorKind::usage, "output '{}': '{}' is not a placeholder; write ####, {{frame}} or {{frame:04}}", text,
                 text.substr(begin, end == std::string::npos ? end : found.length));
   return found;
 }

@@ -41,7 +41,7 @@ StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
 
 StepNote readback_note(const FramePlan& plan) {
   constexpr std::string_view kStep = "readback";
-  if (!plan.read_ids && !plan.read_mask) return left_out(kStep, "nothing on the CPU asks for pixels");
+  if (!plan.read_ids && !plan.read_mask) return left_out(kStep, "nothing on the CPU needs pixels");
   const char* what = !plan.read_mask ? "triangle ids" : plan.read_ids ? "triangle ids and marks" : "marks";
   return {kStep, Runs::each_frame, fmt::format("{} for {}", what, plan.trace() ? "pass 4" : "--aov")};
 }

@@ -10,8 +10,8 @@
 namespace hybridrt {
 namespace {
 
-constexpr size_t kTrianglesAChunk = 4096;
-constexpr int kRowsAChunk = 4;
+constexpr size_t kTrianglesPerChunk = 4096;
+constexpr int kRowsPerChunk = 4;
 // A triangle over a cell takes 12 bytes while the buffer is built, and up to 64 afterwards. Ordinary scenes have about
 // three such pairs per triangle.
 constexpr uint64_t kMostReferences = 1 << 20, kMostReferencesPerTriangle = 16;
@@ -73,7 +73,7 @@ class Builder {
 
   template <typename Body>
   void for_each_chunk(const Body& body) {
-    parallel_for(pool_, facings_.size(), kTrianglesAChunk, body);
+    parallel_for(pool_, facings_.size(), kTrianglesPerChunk, body);
   }
   template <typename Body>
   void for_each_triangle(size_t begin, size_t end, const Body& body) const {
@@ -106,17 +106,17 @@ class Builder {
   }
 
   void transform_positions() {
-    parallel_for(pool_, positions_light_.size(), kTrianglesAChunk, [&](size_t begin, size_t end) {
+    parallel_for(pool_, positions_light_.size(), kTrianglesPerChunk, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) positions_light_[i] = light_from_scene(buffer_, dvec3(scene_.positions[i]));
     });
   }
 
   void find_facings() {
-    const size_t chunks = (facings_.size() + kTrianglesAChunk - 1) / kTrianglesAChunk;
+    const size_t chunks = (facings_.size() + kTrianglesPerChunk - 1) / kTrianglesPerChunk;
     std::vector<std::pair<dvec3, dvec3>> bounds(chunks, {dvec3(1e300), dvec3(-1e300)});
     std::atomic<size_t> kept = 0;
-    parallel_for(pool_, facings_.size(), kTrianglesAChunk, [&](size_t begin, size_t end) {
-      auto& [lo, hi] = bounds[begin / kTrianglesAChunk];
+    parallel_for(pool_, facings_.size(), kTrianglesPerChunk, [&](size_t begin, size_t end) {
+      auto& [lo, hi] = bounds[begin / kTrianglesPerChunk];
       size_t kept_here = 0;
       for (size_t i = begin; i < end; ++i) {
         const auto triangle = static_cast<uint32_t>(i);
@@ -253,7 +253,7 @@ class Builder {
 
   template <typename Body>
   void for_each_cell_of_grid(const Body& body) {
-    parallel_for(pool_, buffer_.cells.size() - 1, static_cast<size_t>(buffer_.cells_x) * kRowsAChunk,
+    parallel_for(pool_, buffer_.cells.size() - 1, static_cast<size_t>(buffer_.cells_x) * kRowsPerChunk,
                  [&](size_t begin, size_t end) {
                    for (size_t cell = begin; cell < end; ++cell) body(cell);
                  });

@@ -26,7 +26,7 @@ void set_ray(RTCRay& ray, const vec3& origin, const vec3& dir) {
   ray.mask = 0xFFFFFFFFu;
 }
 
-/// One thread's work on one frame.
+/// One thread's work on a frame.
 class Painter {
  public:
   Painter(const TraceJob& job, RTCScene scene) : job_(job), scene_(scene), to_light_(job.lights.at(0).light.toward) {

@@ -6,15 +6,15 @@
 
 namespace hybridrt {
 
-/// The outside yardstick: a frame as a plain program on top of Embree would make it, in packets of 16 primary and 16
-/// shadow rays, mirrors and glass ray by ray, with the same Phong and the same scattering as ours. It shares no
-/// tracing code with the product.
+/// The baseline: a frame as a plain program on top of Embree would render it, in packets of 16 primary and 16 shadow
+/// rays, mirrors and glass ray by ray, with our Phong shading and scattering. It shares no tracing code with the
+/// product.
 class EmbreeFrame {
  public:
   explicit EmbreeFrame(const Scene& scene, int threads);
   ~EmbreeFrame();
 
-  /// Linear, one element a pixel of job.view.
+  /// `picture`: linear, one element per pixel of job.view.
   void render(const TraceJob& job, ThreadPool& pool, std::span<vec4> picture) const;
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWidth_px = 1024, kHeight_px = 768, kTile_px = 32, kMarkRadius_px = 2;
 
-/// Tile by tile, and in a tile by blocks of 4 x 4, which are the packets of 16.
+/// Goes tile by tile, and within a tile in blocks of 4 x 4, which are the packets of 16.
 template <typename Body>
 void for_each_pixel_in_tiles(const Body& body) {
   for (int tile_y = 0; tile_y < kHeight_px; tile_y += kTile_px)

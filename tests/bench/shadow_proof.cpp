@@ -1,4 +1,4 @@
-// Asks the light buffer about every pixel that faces the light, and a tracer in double precision the same.
+// Asks the light buffer about every pixel that faces the light, and compares with a tracer in double precision.
 //   shadow_proof [--quick] [--single] [--threads=N] [SCENE...]
 // Each scene is seen from near and far, lies at its place and 1e5 and 1e6 units away from it, and is lit from twelve
 // directions, the awkward ones first. Exits with 1 if one answer differs. --quick: small scenes and pictures.
@@ -34,9 +34,9 @@ struct Options {
 struct Tally {
   size_t receivers = 0;  ///< pixels that see a triangle
   size_t queries = 0;    ///< from those that see its lit side
-  size_t asked = 0;      ///< of these, without a certificate
+  size_t asked = 0;      ///< queries that their cell does not answer
   size_t shadowed = 0, wrong = 0;
-  size_t own = 0;  ///< the tracer found nothing but the query's own triangle: its rounding, in a sliver
+  size_t own = 0;  ///< the tracer found only the query's own triangle: its rounding, in a sliver
 };
 
 /// Two edges of the largest triangle.
@@ -72,7 +72,8 @@ void move(BenchScene& bench, double offset) {
   bench.view.eye += dvec3(by);
 }
 
-/// A quarter of the way from what the middle of the picture shows, or eight times as far through a longer lens.
+/// From a quarter of the distance to what the middle of the picture shows, or from eight times the distance through a
+/// longer lens.
 View from_near(View view, const RayCaster<double>& reference) {
   const Ray<double> ray{view.eye, view.forward};
   Hit<double> hit;
@@ -172,7 +173,7 @@ class Proof {
     return tally;
   }
 
-  /// Enough to ask again.
+  /// Prints enough to repeat the query.
   void tell(const LightBuffer& buffer, const ShadowQuery& query, uint32_t in_the_way) const {
     static std::atomic<int> told = 0;
     if (told++ >= 20) return;

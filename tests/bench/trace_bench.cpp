@@ -1,5 +1,5 @@
-// Build time and rays a second of everything that answers rays, on the rays that a frame of 1024x768 fires, and whole
-// frames beside a plain Embree program's.
+// Build time and rays per second of everything that answers rays, on the rays that a frame of 1024x768 fires, and whole
+// frames compared with a plain Embree program.
 //   trace_bench --scene=scene:chess,triangles=500000 [--threads=N] [--benchmark_filter=...]
 // Rates are of one thread, by its processor time, unless the name ends in all_threads. `wrong` counts answers that
 // differ from a double-precision reference asked for the very same origin. scripts/trace_results.py makes the tables.
@@ -95,7 +95,7 @@ void add_shadow(const Workload& work, const std::string& set, const std::vector<
   });
 }
 
-/// All threads at once, as a frame asks: a tile's worth of rays at a time.
+/// All threads at once, as in a frame: a tile's rays at a time.
 void add_all_threads(Workload& work) {
   constexpr size_t kRaysATime = 1024;
   const auto& queries = work.sets.shadow_all;
@@ -115,7 +115,7 @@ void add_all_threads(Workload& work) {
   });
 }
 
-/// Whole frames: ours by --method raytrace, by the same with traced shadow rays, and the plain Embree program's.
+/// Whole frames: --method raytrace, the same with traced shadow rays, and the plain Embree program.
 void add_frames(Workload& work, int threads) {
   const View& view = work.bench.view;
   const size_t pixels = static_cast<size_t>(view.width_px) * view.height_px;

@@ -1,4 +1,4 @@
-"""Every method's picture against the reference's, small: the targets of scripts/agreement.py."""
+"""Every method's picture against the reference's, at a small size: the targets of scripts/agreement.py."""
 
 import math
 import pathlib
@@ -24,14 +24,14 @@ class AgreementTest(CliTestCase):
                     self.assertEqual(found.missed(), [], agreement.row(scene, method, found))
 
     def test_what_misses_is_seen(self):
-        """One generation of rays less, and no shadows, are far from the targets: they can fail."""
+        """One generation of rays less, and no shadows, miss the targets: they can fail."""
         for fewer in (["--reflection-depth", "1"], ["--shadows", "none"]):
             methods = [("fewer", ["--method", "raytrace", *fewer])]
             results, _ = agreement.measure(BINARY, SCENES[0], SIZE, methods=methods)
             self.assertEqual(results["fewer"].missed(), ["PSNR", "pixels off"], fewer)
 
     def test_numbers(self):
-        """Of 10 pixels one is off by 10 in a channel, one by 2, and one by 20 where the triangle is another."""
+        """Of 10 pixels one is off by 10 in a channel, one by 2, and one by 20 where another triangle is seen."""
         def strip(values):
             return Png(10, 1, [bytearray(value for x in range(10) for value in (0, 0, values.get(x, 0)))])
 

@@ -1,4 +1,4 @@
-"""What odd and bad cameras get, in camera files, scene files and as flags, through the real binary.
+"""How the real binary treats odd and bad cameras, in camera files, in scene files and as flags.
 
 The same fault is exit code 3 in a file and 2 as a flag: a flag is usage."""
 
@@ -91,7 +91,7 @@ class FaultsTest(CameraCase):
 
     def test_as_flags(self):
         for options, says in ((("--eye", "1,1,1", "--target", "1,1,1"), "--eye and --target are the same point"),
-                              (("--fov", "0"), "--fov 0: must be"), (("--fov", "180"), "--fov 180: allowed is"),
+                              (("--fov", "0"), "--fov 0: must be"), (("--fov", "180"), "--fov 180: must be"),
                               (("--eye", "1,1,1", "--up", "0,0,0"), "--up 0,0,0")):
             with self.subTest(says):
                 self.refuse("mesh.obj", says, options=options, code=2)

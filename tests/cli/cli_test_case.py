@@ -1,4 +1,4 @@
-"""What all tests of the real binary share: a folder of one's own and runs of the binary.
+"""Shared by all tests of the real binary: a folder per test and runs of the binary.
 
 A test file is called with the binary's path as its first argument, then unittest's own arguments."""
 
@@ -57,11 +57,11 @@ class CliTestCase(unittest.TestCase):
         return done
 
     def render(self, *arguments, **keywords):
-        """A small picture, and no talk but warnings."""
+        """Renders a small picture; prints nothing but warnings."""
         return self.succeed("render", SCENE, *SMALL, "-q", *arguments, **keywords)
 
     def fail_with(self, code, *arguments, says=(), **keywords):
-        """The exit code, one line on standard error that holds each of `says`, and nothing on standard output."""
+        """Expects the exit code, one line on standard error that holds each of `says`, and nothing on standard output."""
         done = self.run_binary(*arguments, **keywords)
         self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
         self.assertEqual(done.stdout, "")

@@ -89,7 +89,7 @@ class CommandLineTest(CliTestCase):
         self.refuse("--method", "raster", "--method", "raster", "--method", "hybrid", says="--method is given 3 times")
         self.refuse("-o", "a.png", "--output", "b.png", says="--output is given 2 times (a.png, b.png); give it once")
         self.refuse("--size", says="--size has no value; write --size WxH")
-        self.refuse("--threads", "many", says="--threads many: must be a whole number, 1 to 1024")
+        self.refuse("--threads", "many", says="--threads many: must be a whole number from 1 to 1024")
         self.fail_with(2, "golden", "check", "--list", "a", "--list", "b", says="--list is given 2 times (a, b)")
         self.succeed("render", SCENE, *SMALL, "-q", "-q", "-o", "flags may be repeated.png")
 

@@ -1,4 +1,4 @@
-"""Where the system stops giving threads the program says so and ends, or does without."""
+"""If the system cannot start more threads, the program says so and ends, or does without."""
 
 import os
 import pty
@@ -12,7 +12,7 @@ MIB = 1 << 20
 
 
 def bounded(space_mib, stack_mib):
-    """For preexec_fn: so much address space, in which each thread's stack takes its part."""
+    """For preexec_fn: limits the address space, which threads' stacks take a share of."""
     def limit():
         resource.setrlimit(resource.RLIMIT_STACK, (stack_mib * MIB, stack_mib * MIB))
         resource.setrlimit(resource.RLIMIT_AS, (space_mib * MIB, space_mib * MIB))

@@ -1,4 +1,4 @@
-"""hybridrt inspect through the real binary: text, JSON, warnings, what a frame runs, exit codes."""
+"""hybridrt inspect through the real binary: text, JSON, warnings, the steps of a frame, exit codes."""
 
 import json
 import os

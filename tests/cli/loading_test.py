@@ -1,4 +1,4 @@
-"""The line that tells how far loading is: on a terminal only, and only when it takes long."""
+"""The line that shows how far loading has come: on a terminal only, and only if it takes long."""
 
 import json
 import os
@@ -15,7 +15,7 @@ TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 class LoadingTest(CliTestCase):
     def on_a_terminal(self, *arguments, feed=None):
-        """What the binary says on a terminal; `feed` is a pipe that keeps it waiting for 1.5 seconds."""
+        """The binary's output on a terminal; `feed` is a pipe that keeps it waiting for 1.5 seconds."""
         def write_late():
             with open(feed, "w", encoding="utf-8") as pipe:
                 time.sleep(1.5)

@@ -1,4 +1,4 @@
-"""--max-memory: what would need more is refused in one line before the memory is taken."""
+"""--max-memory: what would need more is refused in one line before memory is allocated."""
 
 import json
 import os
@@ -45,7 +45,7 @@ class MemoryTest(CliTestCase):
         self.succeed("inspect", "big.obj", "--max-memory", "1G")
 
     def test_refusing_takes_no_memory(self):
-        # A header that promises 300 million vertices, in a file that has room for them but no blocks on disk.
+        # A header that promises 300 million vertices, in a sparse file that has room for them.
         header = ("ply\nformat binary_little_endian 1.0\nelement vertex 300000000\nproperty float x\nproperty float y\n"
                   "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n")
         with open(self.write("promise.ply", header), "r+b") as file:

@@ -1,4 +1,4 @@
-"""What odd and bad MTL files get, through the real binary."""
+"""How the real binary treats odd and bad MTL files."""
 
 import os
 import resource
@@ -29,7 +29,7 @@ class MtlCase(SceneCase):
         self.assertNotEqual(self.expected, self.default)
 
     def colours(self, rows):
-        """Of the panels' middles."""
+        """The colours at the panels' middles."""
         return [tuple(rows[12][3 * x:3 * x + 3]) for x in (12, 20)]
 
 

@@ -1,4 +1,4 @@
-"""The small nasty files from other loaders' test suites, where they are at hand: each ends as documented.
+"""Small nasty files from other loaders' test suites, if they are available: each ends as documented.
 
 Called with the binary and the folder of shared scenes."""
 
@@ -12,7 +12,7 @@ NASTY = os.path.join(os.path.abspath(sys.argv.pop(2)), "nasty")
 from scene_case import SceneCase  # noqa: E402, it takes the binary off the arguments
 
 NO_LIBRARY = "use materials that no MTL file defines"
-# What is told of each file; a whole line of an error is in a tuple of its own.
+# The warnings of each file; errors are listed separately.
 TOLD = {
     "concave_10gon/issue-319-003.obj": [],
     "duplicate_vertices/duplicatevertices.obj": ["1 edges belong to more than two triangles (non-manifold)"],

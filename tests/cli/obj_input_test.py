@@ -1,4 +1,4 @@
-"""What odd and bad OBJ files get, through the real binary: refused by line, repaired with one warning, or just read."""
+"""How the real binary treats odd and bad OBJ files: refused by line, repaired with one warning, or simply read."""
 
 import os
 import random
@@ -20,7 +20,7 @@ def obj(corners=CORNERS, faces=FACES, end="\n"):
 
 
 HOUSE = obj()
-LONGEST_MIB = 8  # of a line
+LONGEST_MIB = 8  # the longest line
 
 
 class RefusedTest(SceneCase):
@@ -79,7 +79,7 @@ class RefusedTest(SceneCase):
             self.assertEqual(done.stderr.count("\n"), int(done.returncode == 3), (size, done.stderr))
 
     def test_endless_lines_in_bounded_memory(self):
-        # A pipe whose writer would give 1 GB; it is hung up on long before.
+        # A pipe whose writer would send 1 GB; the reader closes it long before.
         block = 1 << 20
         for start, filling in ((b"v 1", b"0"), (b"f 1 2", b" 3"), (b"# ", b"x"), (b"f 1 2 3", b" \\\n")):
             with self.subTest(start):
@@ -144,7 +144,7 @@ class RepairedTest(SceneCase):
 
 
 class FineTest(SceneCase):
-    """Written in another way, the same picture without a word."""
+    """The same scene written in other ways gives the same picture without any message."""
 
     def setUp(self):
         super().setUp()
@@ -171,7 +171,8 @@ class FineTest(SceneCase):
         self.expect_same(obj(corners=()) + obj(faces=()))
 
     def test_polygons(self):
-        # A concave arrow from each of its corners, and a comb of three teeth, against the same cut by hand.
+        # A concave arrow, starting at each of its corners, and a comb of three teeth, against the
+        # same cut by hand.
         arrow = ["0 0 0", "2 -1 0", "0 2 0", "-2 -1 0"]
         self.write("cut.obj", obj(arrow, ["1 2 3", "1 3 4"]))
         for turn in range(4):

@@ -1,4 +1,4 @@
-"""hybridrt render through the real binary: the files of a run and what stands in them."""
+"""hybridrt render through the real binary: the files of a run and their contents."""
 
 import csv
 import json

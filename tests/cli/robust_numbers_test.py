@@ -1,4 +1,4 @@
-"""A scene far from the origin, tiny or huge gives the picture that it gives at the origin."""
+"""A scene that is far from the origin, tiny or huge gives the same picture as at the origin."""
 
 import os
 import unittest
@@ -27,7 +27,7 @@ class RobustNumbersTest(CliTestCase):
         return Png.read(self.path("picture.png"))
 
     def expect_same(self, a, b, what):
-        """But for a few pixels at edges: positions in single precision round differently."""
+        """Equal except for a few pixels at edges, where positions in single precision round differently."""
         self.assertEqual((a.width, a.height), (b.width, b.height))
         pixels = [(a.pixel(x, y), b.pixel(x, y)) for y in range(a.height) for x in range(a.width)]
         off = sum(max(abs(p - q) for p, q in zip(*pair)) > 2 for pair in pixels)

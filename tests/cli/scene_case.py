@@ -1,4 +1,4 @@
-"""What the tests of scene files share: scenes are shown to both commands that read them, `inspect` and `render`."""
+"""Shared by the tests of scene files: scenes are given to both commands that read them, `inspect` and `render`."""
 
 import json
 
@@ -15,7 +15,7 @@ class SceneCase(CliTestCase):
         return name
 
     def refuse(self, scene, *says, options=(), code=3):
-        """It ends with `code` and one line that holds each of `says` and something to do about it. The commands take
+        """Expects `code` and one line that holds each of `says` and something to do about it. The commands take
         turns: starting one takes longer than most of these files."""
         self.turn = not getattr(self, "turn", False)
         command = ("inspect", scene) if self.turn else ("render", scene, *TINY, "-o", "refused.png")
@@ -29,14 +29,14 @@ class SceneCase(CliTestCase):
         return json.loads(done.stdout)
 
     def picture(self, scene, *options):
-        """The pixels, and the warnings that were told on the way."""
+        """The pixels and the warnings."""
         done = self.succeed("render", scene, *TINY, "-o", "picture.png", *options)
         lines, start = done.stderr.splitlines(), "hybridrt: warning: "
         self.assertTrue(all(line.startswith(start) for line in lines), lines)
         return Png.read(self.path("picture.png")).rows, [line[len(start):] for line in lines]
 
     def warn(self, scene, *says, options=()):
-        """Both commands give these warnings and no others, each one line; returns the picture."""
+        """Expects these warnings and no others from both commands, one line each; returns the picture."""
         told = self.report(scene, *options)["warnings"]
         rows, lines = self.picture(scene, *options)
         self.assertEqual(lines, told)
@@ -46,7 +46,7 @@ class SceneCase(CliTestCase):
         return rows
 
     def fine(self, scene, *options):
-        """No warning; returns the picture, which shows something."""
+        """Expects no warning; returns the picture, which must show something."""
         rows, lines = self.picture(scene, *options)
         self.assertEqual(lines, [])
         self.assertGreater(len({bytes(row) for row in rows}), 1, "nothing but background")

@@ -10,7 +10,7 @@ import unittest
 
 BINARY = os.path.abspath(sys.argv.pop(1))
 
-# A pyramid on a floor; every side has a place of its own in the picture.
+# A pyramid on a floor; every side is at a different place in the picture.
 VERTICES = [(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1), (0, 1.5, 0), (-3, 0, 3), (3, 0, 3), (3, 0, -3), (-3, 0, -3)]
 FACES = [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4), (5, 6, 7, 8)]
 
@@ -69,7 +69,7 @@ class SceneInputTest(unittest.TestCase):
         return done.stderr
 
     def pixels(self, name):
-        """Width, height and rows of a PNG, by way of a BMP-free decoder of our own."""
+        """Width, height and rows of a PNG, by our own decoder."""
         import zlib
         with open(self.path(name), "rb") as file:
             data = file.read()

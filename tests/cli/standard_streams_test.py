@@ -1,4 +1,4 @@
-"""Standard streams that are full, closed or gone: what is said on standard error never changes how a command ends, and
+"""Standard streams that are full, closed or gone: output on standard error never changes the exit code, and
 results that standard output does not take are exit code 5."""
 
 import json
@@ -18,7 +18,7 @@ UP_ALONG_THE_VIEW = ("--eye", "0,9,0", "--target", "0,0,0")  # a warning
 
 class StreamsCase(CliTestCase):
     def through_shell(self, redirections, *arguments):
-        """The binary as a shell starts it with these redirections; signals are as they are for a user's programs."""
+        """Runs the binary from a shell with these redirections, with the signal handling of a user's programs."""
         return subprocess.run(["/bin/sh", "-c", 'exec "$@" ' + redirections, "sh", BINARY, *arguments],
                               cwd=self.folder, capture_output=True, text=True, timeout=120)
 
@@ -39,7 +39,7 @@ class StandardErrorTest(StreamsCase):
                     self.assertEqual(self.through_shell(redirection, *arguments).returncode, code)
 
     def test_no_talk_in_files(self):
-        """Without the descriptor that is standard error the next file that is opened would get its number."""
+        """If standard error's descriptor is closed, the next file that is opened would get its number."""
         done = self.through_shell("2>&-", "render", SCENE, *SMALL, *UP_ALONG_THE_VIEW, "-v", "--frames", "3", "-o",
                                   "x.####.png")
         self.assertEqual(done.returncode, 0)
@@ -48,7 +48,7 @@ class StandardErrorTest(StreamsCase):
             self.assertNotIn(b"frame 1: ", self.read(name), name)
 
     def on_a_lost_terminal(self, *arguments, lose):
-        """Runs with standard error on a terminal that is gone once lose(terminal) returns."""
+        """Runs the binary with standard error on a terminal that is gone once lose(terminal) returns."""
         ours, its = pty.openpty()
         process = self.start(*arguments, stdout=subprocess.DEVNULL, stderr=its)
         os.close(its)

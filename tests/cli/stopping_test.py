@@ -1,4 +1,4 @@
-"""Signals, closed pipes and endless sequences: what was finished is whole, nothing is torn."""
+"""Signals, closed pipes and endless sequences: finished files are complete, no file is torn."""
 
 import json
 import os
@@ -23,7 +23,7 @@ class StoppingTest(CliTestCase):
             time.sleep(0.01)
 
     def expect_whole(self):
-        """Every frame is a whole picture, and the CSV has a row for each, in order."""
+        """Every frame is a complete picture, and the CSV has one row per frame, in order."""
         names = [name for name in self.files() if name.endswith(".png") and not name.startswith(".")]
         for name in names:
             Png.read(self.path(name))
@@ -56,7 +56,7 @@ class StoppingTest(CliTestCase):
         self.assertEqual(events[-1]["frames"], len(events) - 2)
 
     def test_a_second_signal_ends_at_once(self):
-        # A picture so large that finishing it takes far longer than ending.
+        # A picture so large that finishing it takes far longer than stopping.
         process = self.start("render", "scene:spheres,triangles=200000", "--size", "8000x6000", "--method",
                              "reference", "-o", "big.png", "-q")
         deadline = time.monotonic() + 60
@@ -78,7 +78,7 @@ class StoppingTest(CliTestCase):
             process.communicate(timeout=60)
             for name in self.files():
                 if not name.startswith(".") and name != "timings.csv":
-                    self.assertTrue(name.endswith(".png"), f"{name} is no whole file")
+                    self.assertTrue(name.endswith(".png"), f"{name} is not a complete file")
                     Png.read(self.path(name))
             for name in self.files():
                 os.remove(self.path(name))
@@ -103,7 +103,7 @@ class StoppingTest(CliTestCase):
         self.assertEqual(frames, list(range(1, len(frames) + 1)))
         self.assertTrue({f"x.{frame:04}.png" for frame in frames} <= set(self.files()))
 
-    # 10^9 frames cost no more memory than a few: held to what fifty frames used.
+    # 10^9 frames take no more memory than a few: limited to what fifty frames used.
     def test_memory_does_not_grow_with_the_sequence(self):
         def peak_kib(pid):
             with open(f"/proc/{pid}/status", encoding="ascii") as status:

@@ -1,4 +1,4 @@
-"""How many threads a run has: those of a software GL are limited by --threads too."""
+"""The number of threads of a run: --threads limits those of a software GL too."""
 
 import json
 import os
@@ -10,7 +10,7 @@ from cli_test_case import SCENE, SMALL, CliTestCase
 
 class ThreadsTest(CliTestCase):
     def llvmpipe_threads(self, scene, *arguments):
-        """Of a run that has rendered its first frame."""
+        """The threads of a run that has rendered its first frame."""
         process = self.start("render", scene, *SMALL, "--frames", "1000000000", "--json", *arguments)
         try:
             for line in process.stdout:
@@ -37,7 +37,7 @@ class ThreadsTest(CliTestCase):
         return names
 
     def test_llvmpipe_has_as_many_as_the_run(self):
-        # One thread: it draws on that of the caller.
+        # One thread: it draws on the caller's.
         for threads, own in (("1", 0), ("2", 2), ("3", 3)):
             self.assertEqual(self.llvmpipe_threads(SCENE, "--threads", threads), own)
 

@@ -1,4 +1,4 @@
-"""Runs at the same time: no file is written by two of them, and disjoint frames go side by side."""
+"""Runs at the same time: no file is written by two of them, and disjoint frames may be rendered in parallel."""
 
 import glob
 import os
@@ -24,7 +24,7 @@ class TwoRunsTest(CliTestCase):
             process.communicate(timeout=60)
 
     def start_run(self, *arguments, until):
-        """A run that has written a file like that."""
+        """A run that has written such a file."""
         process = self.start("render", *arguments)
         self.running.append(process)
         deadline = time.monotonic() + 60
@@ -90,11 +90,11 @@ class TwoRunsTest(CliTestCase):
             process.communicate(timeout=60)
             self.assertEqual(os.path.exists(self.path("out/.hybridrt.lock")), number == signal.SIGKILL)
             self.succeed("render", *QUICK, "--frames", "3", "-o", "out/x.####.png")
-            self.assertFalse(os.path.exists(self.path("out/.hybridrt.lock")), "a lock of the dead hinders nobody")
+            self.assertFalse(os.path.exists(self.path("out/.hybridrt.lock")), "a killed run's lock does not stop others")
             os.remove(self.path("out/x.0001.png"))
 
     def test_many_short_runs_in_one_folder(self):
-        # They come and go, and the lock's file with them; each has frames of its own.
+        # Runs come and go, and the lock file with them; each has its own frames.
         runs = [self.start("render", *CPU, "--size", "8x8", "--method", "raytrace", "--frames", f"{n}-{n}",
                            "--sequence", "1-40", "-o", "out/x.####.png") for n in range(1, 13)]
         for run in runs:

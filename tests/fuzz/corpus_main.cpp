@@ -1,5 +1,5 @@
-// fuzz_NAME_corpus FOLDER: feeds every file of the folder to the reader. Files named good-… must be taken, all others
-// refused.
+// fuzz_NAME_corpus FOLDER: feeds every file of the folder to the reader. Files named good-… must be accepted, all
+// others refused.
 
 #include <cstdio>
 #include <exception>

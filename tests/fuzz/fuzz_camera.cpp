@@ -1,4 +1,4 @@
-// Camera path JSON, and views along what it describes: each is refused, or finite and orthonormal.
+// Camera path JSON and views along it: each is refused, or finite and orthonormal.
 
 #include <stdexcept>
 

@@ -1,5 +1,5 @@
-// OBJ and MTL, all the way to a scene and its topology; cut into small chunks it must read the same. A line
-// "#mtl" divides the input: what stands behind it is the file m.mtl, which the OBJ may name.
+// OBJ and MTL, all the way to a scene and its topology; cut into small chunks it must read the same. A line "#mtl"
+// divides the input: what follows it is the file m.mtl, which the OBJ may name.
 
 #include <stdexcept>
 
@@ -14,7 +14,7 @@ namespace hybridrt::fuzz {
 
 namespace {
 
-/// What reading gives, as far as chunks could change it.
+/// The parts of the result that chunks could change.
 struct Reading {
   MeshData data;
   Warnings warnings;

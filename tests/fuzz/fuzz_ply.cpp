@@ -1,4 +1,4 @@
-// PLY, as text and binary of either byte order, all the way to a scene.
+// PLY, as text and binary in either byte order, all the way to a scene.
 
 #include "core/load/mesh_io.h"
 #include "tests/fuzz/input_file.h"

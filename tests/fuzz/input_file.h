@@ -7,8 +7,8 @@
 
 namespace hybridrt::fuzz {
 
-/// A file in a folder of its own: readers take paths, and follow names in the input to the files beside it. Replaces
-/// the last input.
+/// A file in its own folder: readers take paths, and follow names in the input to files beside it. Replaces the
+/// previous input.
 inline std::filesystem::path input_file(const char* name, std::string_view bytes) {
   static const TemporaryFolder folder;
   return folder.write(name, bytes);

@@ -8,7 +8,7 @@ namespace hybridrt::fuzz {
 /// happens (another exception, a fault that a sanitizer sees, no end) is a bug of the reader.
 void read_input(std::string_view bytes);
 
-/// Throws std::logic_error unless the reader takes the input or refuses it in one line. True when it takes it.
+/// Throws std::logic_error unless the reader accepts the input or refuses it in one line. True if it accepts it.
 bool takes(std::string_view bytes);
 
 }  // namespace hybridrt::fuzz

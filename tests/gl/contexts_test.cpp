@@ -30,7 +30,7 @@ struct Held {
   size_t bytes;
 };
 
-/// What this process holds of the system. Sanitizers have a malloc of their own: no bytes are seen then.
+/// The resources that this process holds. Sanitizers have their own malloc: no bytes are counted then.
 Held held() {
   const auto entries = [](const char* folder) {
     return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
@@ -70,7 +70,7 @@ TEST_P(Contexts, OpensAndDraws) {
             std::vector<uint32_t>(15, 4'000'000'000u));
 }
 
-// One context after the other in one process, as `doctor` does.
+// One context after the other in one process, as in `doctor`.
 TEST_P(Contexts, OpensAgainAfterItWasClosed) {
   for (int i = 0; i < 3; ++i) {
     try {
@@ -109,7 +109,7 @@ TEST(ContextErrors, RequiredHardwareSaysWhatWasTried) {
   }
 }
 
-// Whether the device is refused when its context is there already, or no such device is known.
+// Both when a device is refused after its context was made, and when no such device exists.
 TEST(ContextErrors, LeaveNothingBehind) {
   std::vector<gl::DeviceInfo> failed;
   const std::vector<gl::ContextInfo> usable = gl::probe_devices(failed);

@@ -1,5 +1,4 @@
-// `--shadows exact` through GL against the double-precision reference: not one wrong shadow, and hardly a wrong
-// triangle.
+// `--shadows exact` through GL against the double-precision reference: no wrong shadow, and hardly a wrong triangle.
 
 #include "core/trace/triangle.h"
 #include "tests/gl/frame_test.h"
@@ -26,7 +25,7 @@ class ExactShadows : public testing::TestWithParam<const char*> {
     if (!has_context({}, &why)) GTEST_SKIP() << why;
   }
 
-  /// Two triangles that the ray meets at the same place are one.
+  /// Two triangles that the ray meets at the same place count as one.
   static bool same_place(const Scene& scene, const View& view, int x, int y, uint32_t a, uint32_t b) {
     if (a == kNoTriangle || b == kNoTriangle) return false;
     const ShearedRay<double> ray = shear_ray(view.eye, glm::normalize(view.pixel_dir(x, y)));
@@ -63,11 +62,11 @@ TEST_P(ExactShadows, AreThoseOfTheReference) {
     }
   }
   EXPECT_EQ(wrong_shadows, 0);
-  // A wire so thin that pass 2 misses it in all nine pixels around leaves no trace to be suspicious of.
+  // A wire so thin that pass 2 misses it in all nine pixels around makes none of them a suspect.
   const bool has_wires = std::string_view(GetParam()).starts_with("scene:thin");
   EXPECT_LE(wrong_triangles, receivers / (has_wires ? 5000 : 50000)) << "of " << receivers;
   EXPECT_GT(receivers, 150000);
-  EXPECT_LT(marked, receivers) << "pass 3 has answered nothing";
+  EXPECT_LT(marked, receivers) << "pass 3 answered nothing";
   EXPECT_GT(marked, 0) << "pass 4 was never asked";
 }
 

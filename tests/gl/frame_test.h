@@ -52,7 +52,7 @@ inline bool has_context(const gl::ContextRequest& request, std::string* why = nu
   }
 }
 
-/// The bits of all pixels, AOVs too, and the counts: what must not depend on how a frame was made.
+/// Expects equal bits of all pixels, AOVs included, and equal counts: they must not depend on how a frame was made.
 inline void expect_same_frames(const std::vector<Frame>& a, const std::vector<Frame>& b, const std::string& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
   for (size_t i = 0; i < a.size(); ++i) {

@@ -10,7 +10,7 @@
 
 namespace hybridrt {
 
-/// A test with the best context that the machine has; skipped, with the reason, where it has none.
+/// A test with the best context of the machine; skipped, with the reason, if it has none.
 class GlTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -27,8 +27,8 @@ struct Random {
 
 class GlslAgainstCpp : public GlTest {
  protected:
-  /// Runs `body`, which sets `vec4 result` from `vec4 input_at(i)`, once a case; `inputs` holds `per_case`
-  /// texels a case.
+  /// Runs `body`, which sets `vec4 result` from `vec4 input_at(i)`, once per case; `inputs` holds `per_case` texels per
+  /// case.
   std::vector<vec4> run_glsl(const std::string& body, const std::vector<vec4>& inputs, int per_case) {
     gl::ShaderSources sources = gl::embedded_shaders();
     sources["test.comp"] =
@@ -106,7 +106,7 @@ TEST_F(GlslAgainstCpp, Phong) {
   for (int i = 0; i < kCases; ++i) {
     const PhongCase& c = cases[i];
     const vec3 expected = color_of(c, c.to_light);
-    // At the horizon the highlight begins with a jump, and rounding decides on which side of it one stands.
+    // At the horizon the highlight begins with a jump, and rounding decides on which side of it a case falls.
     const float bound = 2e-6f + 2e-6f * c.ns;
     float error = largest_difference(vec3(colors[i]), expected);
     if (std::abs(glm::dot(c.normal, c.to_light)) < 1e-6f)
@@ -153,7 +153,7 @@ TEST_F(GlslAgainstCpp, ClampedBarycentrics) {
       EXPECT_NEAR(w.x + w.y + w.z, 1, 1e-6f) << i;
       EXPECT_GE(smallest(w), -1e-6f) << i;
     }
-    // The determinant is a difference of products: what cancels in it is lost to both alike.
+    // The determinant is a difference of products: both lose what cancels in it.
     const dvec3 e1 = c.p1 - c.p0, e2 = c.p2 - c.p0;
     const double determinant = std::abs(glm::dot(e1, glm::cross(dvec3(c.dir), e2)));
     const double scale =
@@ -188,7 +188,7 @@ TEST_F(GlslAgainstCpp, ShadowWarp) {
     const vec4 a = inputs[2 * i], b = inputs[2 * i + 1];
     const float w = shadow_warp_single::map_w(a.x, a.y);
     const vec2 texel = shadow_warp_single::texel_size(a.z, a.w, w);
-    // 1 + slope * row cancels: what a rounding of it is worth in w, and in its square.
+    // 1 + slope * row cancels: the effect of its rounding on w, and on its square.
     const float relative = 0x1p-22f * w;
     EXPECT_NEAR(results[i].x, w, relative * w) << i;
     EXPECT_NEAR(results[i].y, texel.x, 2 * relative * texel.x) << i;

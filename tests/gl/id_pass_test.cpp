@@ -9,8 +9,8 @@
 namespace hybridrt {
 namespace {
 
-// Rasterisation snaps vertices to 1/256 of a pixel, so at the outline of a triangle the neighbour may be
-// seen: pixels may differ only there, and one in a thousand at most.
+// Rasterisation snaps vertices to 1/256 of a pixel, so at a triangle's outline its neighbour may be seen: pixels may
+// differ only there, and at most one in a thousand.
 constexpr double kSnap_px = 1.0 / 64, kMostDiffering = 1e-3;
 
 dvec2 nearest_on_segment(const dvec2& a, const dvec2& b, const dvec2& p) {
@@ -103,7 +103,7 @@ TEST_F(IdPass, TinyAndHugeScenes) {
   }
 }
 
-// Loading takes the offset away, so a scene at geographic coordinates is as good as one at the origin.
+// Loading subtracts the offset, so a scene at geographic coordinates is as good as one at the origin.
 TEST_F(IdPass, SceneFarFromTheOrigin) {
   const TemporaryFolder folder;
   ThreadPool pool(1);

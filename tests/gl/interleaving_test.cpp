@@ -1,4 +1,4 @@
-// Section 3.5 of the paper: how many frames are in flight, and on how many threads, changes no bit.
+// Section 3.5 of the paper: the number of frames in flight and of threads changes no bit.
 
 #include "tests/gl/frame_test.h"
 #include "tests/gl/gl_test.h"
@@ -81,7 +81,7 @@ TEST_F(FrameOrder, ShardsAreTheWholesFrames) {
   EXPECT_TRUE(part[1].picture.data == whole[1].picture.data);
 }
 
-// Frames in work when somebody asks to stop are still delivered, whole.
+// Frames in progress when a stop is requested are still delivered, complete.
 TEST_F(FrameOrder, StoppingFinishesWhatWasBegun) {
   RenderJob job = orbit_job(kScene, 100, 32, 24);
   ThreadPool pool(2);
@@ -105,7 +105,7 @@ TEST_F(FrameOrder, ADeliveryThatThrowsEndsTheRun) {
                Error);
 }
 
-// A slot serves one frame after the other: what an earlier one was traced for is not this one's to report.
+// A slot serves one frame after another: a frame must not report an earlier one's rays.
 TEST_F(FrameOrder, AFrameReportsItsOwnRaysOnly) {
   RenderJob job = orbit_job("scene:spheres,triangles=2000,reflective=100", 4, 64, 48);
   job.settings.shadows = ShadowMode::map;

@@ -1,4 +1,4 @@
-// A still light's shadow map is kept, a warped one while the camera stands still, too; what moves gets a new one.
+// A still light's shadow map is kept, a warped one only while the camera stands still too; else it is drawn anew.
 
 #include "core/render/gl_renderer.h"
 #include "core/trace/embree_caster.h"
@@ -14,7 +14,7 @@ class KeptShadowMap : public GlTest {
     return render_frames(lights, std::vector<int>(lights.size(), 1), slots);
   }
 
-  /// `places`: on the orbit, of the camera.
+  /// `places`: the camera's places on the orbit.
   std::vector<Frame> render_frames(const std::vector<dvec3>& lights, const std::vector<int>& places, int slots) {
     RenderSettings settings = job_.settings;
     settings.frames_in_flight = slots;

@@ -10,7 +10,7 @@ namespace {
 
 using Mask = std::vector<uint8_t>;
 
-/// The blur of the shadow channel over the receivers in the window, strictly between dark and lit.
+/// Marked: the blur of the shadow channel over the receivers in the window is strictly between dark and lit.
 Mask marked_by_hand(const Mask& mask, int width, int height, int kernel) {
   Mask marked = mask;
   const int radius = kernel / 2;
@@ -37,7 +37,7 @@ class MarkPass : public GlTest {
     const MarkBoundaryPass pass(gl(), gl::embedded_shaders());
     const gl::Texture sums(gl(), GL_RG8UI, width, height, "sums");
     const gl::TextureArray in(gl(), GL_R8UI, width, height, 3, "mask"), out(gl(), GL_R8UI, width, height, 3, "marked");
-    // In the middle layer; the others hold its opposite, and must not count.
+    // Uses the middle layer; the others hold its opposite and must not count.
     Mask layers, untouched(3 * mask.size(), 77);
     for (int layer = 0; layer < 3; ++layer)
       for (const uint8_t value : mask) layers.push_back(layer == 1 ? value : value ^ HRT_MASK_LIT);
@@ -74,7 +74,7 @@ TEST_F(MarkPass, RandomMasksInAllSizesAndKernels) {
     }
 }
 
-// Sparse masks show the window's exact reach, dense ones hardly.
+// Sparse masks show the window's exact reach; dense ones hardly do.
 TEST_F(MarkPass, SinglePixelsAndHoles) {
   Random random(6);
   for (int kernel : {3, 5, 15, 31})

@@ -1,4 +1,4 @@
-// The methods against each other: what the five passes draw is what rays see.
+// The methods against each other: the five passes draw what rays see.
 
 #include <cmath>
 
@@ -37,7 +37,7 @@ struct Difference {
   size_t compared, left_out, over_a_step;  ///< pixels; the last: off by more than 1/255
 };
 
-/// Over the pixels that both frames give the same id.
+/// Compares the pixels that have the same id in both frames.
 Difference difference_at_same_ids(const Frame& a, const Frame& b) {
   double sum = 0;
   Difference d{};
@@ -108,14 +108,14 @@ TEST_F(Methods, BlurDiffersFromRaysInFewPixels) {
     const Image ids_a = aov(blur[i], "id"), ids_b = aov(rays[i], "id");
     const Image a = aov(blur[i], "shadow"), b = aov(rays[i], "shadow"), marked = aov(blur[i], "marked");
     for (size_t p = 0; p < a.pixel_count(); ++p) {
-      if (!same_pixel(ids_a, ids_b, p)) {  // only `rays` and `exact` repair what the raster snapped aside
+      if (!same_pixel(ids_a, ids_b, p)) {  // only `rays` and `exact` repair ids
         ++repaired;
         continue;
       }
       const bool differs = !same_pixel(a, b, p);
       wrong += differs;
       EXPECT_FALSE(differs && marked.data[3 * p] > 0) << "a marked pixel has its own ray";
-      // What the shadow agrees on, the picture agrees on.
+      // Where the shadows agree, the pictures agree.
       if (!differs) {
         EXPECT_TRUE(same_pixel(blur[i].picture, rays[i].picture, p)) << p;
       }
@@ -130,7 +130,7 @@ TEST_F(Methods, BlurDiffersFromRaysInFewPixels) {
   RecordProperty("wrong_per_million", static_cast<int>(1e6 * wrong / pixels));
 }
 
-// A coarse map errs visibly; the wider the kernel, the more of its errors are put right.
+// A coarse map errs visibly; the wider the kernel, the more of its errors are corrected.
 TEST_F(Methods, WiderKernelsMarkMoreAndErrLess) {
   RenderJob job = orbit_job(kScene, 1, 320, 240);
   job.settings.shadow_map_px = 32;
@@ -180,7 +180,7 @@ TEST_F(Methods, WithoutShadowsNothingIsDarker) {
   EXPECT_GT(darker, 1000u) << "there is no shadow in the picture";
 }
 
-// More samples come nearer to the truth, and by the same way in every method.
+// More samples come nearer to the truth, in the same way in every method.
 TEST_F(Methods, SamplesConverge) {
   RenderJob job = orbit_job(kScene, 1, 160, 120);
   const auto with_samples = [&](Method method, int samples) {
@@ -213,7 +213,7 @@ TEST_F(Methods, DepthZeroFiresNoSecondaryRays) {
   }
 }
 
-// EGL and OSMesa of one Mesa are one rasteriser: the same bits. A GPU is compared by PSNR.
+// EGL and OSMesa of the same Mesa are the same rasteriser: the same bits. A GPU is compared by PSNR.
 TEST_F(Methods, BindingsAgree) {
   std::string why;
   if (!has_context({gl::Binding::osmesa, ""}, &why)) GTEST_SKIP() << why;

@@ -12,7 +12,7 @@
 
 namespace hybridrt {
 
-/// A scene of bare triangles with what shading reads: one grey material and each face's own normal.
+/// Adds what shading reads to a scene of bare triangles: one grey material and each face's normal.
 inline Scene with_normals(Scene scene) {
   ThreadPool pool(1);
   std::erase_if(scene.triangle_positions, [&](const uvec3& t) {
@@ -35,7 +35,7 @@ inline Camera camera_at_angle(const Scene& scene, double angle, double distance)
   return {middle + away * dvec3(std::sin(angle), 0.4, std::cos(angle)), middle, {0, 1, 0}, 0.7};
 }
 
-/// Everything that passes 2 to 5 read of a scene and a view, with pass 2's ids in place.
+/// Everything that passes 2 to 5 read of a scene and a view, with pass 2's ids drawn.
 struct SeenScene {
   SeenScene(const gl::Context& context, const Scene& scene, const View& view_, double near_distance)
       : gl(context.functions()),
@@ -69,7 +69,7 @@ class PrimaryRays {
   explicit PrimaryRays(const Scene& scene)
       : pool_(2), tree_(build_kd_tree(scene, pool_)), caster_(make_reference_caster(tree_)) {}
 
-  /// What is seen (`dx`, `dy`) of a pixel away from the centre of pixel (x, y).
+  /// The triangle seen (`dx`, `dy`) pixels away from the centre of pixel (x, y).
   uint32_t triangle_at(const View& view, int x, int y, double dx = 0, double dy = 0) const {
     const Ray<double> ray{view.eye, view.pixel_dir(x, y) + dx * view.ray_step_x() + dy * view.ray_step_y()};
     return closest(ray).triangle;

@@ -1,4 +1,4 @@
-// Shader programs: what the driver reports reaches the user.
+// Shader programs: the driver's messages reach the user.
 
 #include <set>
 
@@ -56,7 +56,7 @@ TEST_F(Programs, MissingFilesAreNamed) {
   EXPECT_NE(compile_error(includes_nothing, {"a.comp"}).find("gone.glsl"), std::string::npos);
 }
 
-/// Functions that count the shaders and programs of a context: each one made is live until it is deleted.
+/// Functions that count the live shaders and programs of a context.
 struct CountedObjects {
   explicit CountedObjects(const gl::Functions& gl) : counting(gl) {
     real = &gl;
@@ -74,7 +74,7 @@ struct CountedObjects {
   }
 
   gl::Functions counting;
-  // Static, since GL's functions take no pointer of ours. Shaders and programs share their names.
+  // Static, since GL's functions take no user pointer. Shaders and programs share their names.
   static inline const gl::Functions* real;
   static inline std::set<GLuint> live;
   static inline int made;

@@ -1,4 +1,4 @@
-// Readback: a picture that the driver does not deliver is never taken for one.
+// Readback: pixels that the driver does not deliver are never taken for a picture.
 
 #include "core/base/check.h"
 #include "tests/gl/gl_test.h"
@@ -8,8 +8,8 @@ namespace {
 
 class Readbacks : public GlTest {};
 
-// A driver that delivers nothing leaves the sentinel: that must not become a picture. A texture full of the
-// sentinel's own bytes looks just the same.
+// A driver that delivers nothing leaves the sentinel, which must not become a picture. A texture full of the sentinel's
+// bytes looks just the same.
 TEST_F(Readbacks, UnwrittenPixelsThrow) {
   for (const uint32_t pixel : {0u, 0xFFFFFFFFu, 0xFEFEFEFEu}) {
     const gl::Texture texture(gl(), GL_R32UI, 4, 4, "texture");
@@ -33,13 +33,13 @@ TEST_F(Readbacks, CanBeReused) {
   }
 }
 
-/// A context's functions; the pixels of GetTextureImage get lost, without any error.
+/// A context's functions, but GetTextureImage loses its pixels without an error.
 gl::Functions losing_pixels(gl::Functions gl) {
   gl.GetTextureImage = [](GLuint, GLint, GLenum, GLenum, GLsizei, void*) {};
   return gl;
 }
 
-// Pictures of a few bytes too: they are shorter than what is looked at in others.
+// Pictures of a few bytes too: they are shorter than the part that is probed in others.
 TEST_F(Readbacks, TheLastPictureIsNotTheNextOne) {
   for (int width = 1; width <= 9; ++width) {
     const gl::Texture texture(gl(), GL_R8UI, width, 1, "texture");

@@ -72,7 +72,7 @@ TEST_P(SeveralLights, AddUpWhatEachGivesAlone) {
   }
 }
 
-// AOV shadow: the share of the lights that arrive; marked: whichever light asks.
+// AOV shadow: the share of the lights that arrive; marked: whether any light asks.
 TEST_P(SeveralLights, LayersTellOfAllLights) {
   const std::vector<DirectionalLight> lights = {{glm::normalize(dvec3(1, 1, 0.2)), vec3(0.5f)},
                                                 {glm::normalize(dvec3(-0.3, 1, 1)), vec3(0.4f)}};
@@ -88,7 +88,7 @@ TEST_P(SeveralLights, LayersTellOfAllLights) {
   }
 }
 
-// The first light moves by keys, two others stand still: each frame is what it is alone, whatever is in flight.
+// The first light moves by keys, two others stand still: each frame is the same as alone, whatever is in flight.
 TEST_P(SeveralLights, FramesInFlightAndKeptStructuresChangeNoBit) {
   CameraPath path;
   for (int i = 0; i < 3; ++i)

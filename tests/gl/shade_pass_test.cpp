@@ -107,7 +107,7 @@ TEST_F(ShadePassTest, WithAMask) { expect_formula(true, false); }
 TEST_F(ShadePassTest, WithTracedLight) { expect_formula(false, true); }
 TEST_F(ShadePassTest, WithAll) { expect_formula(true, true); }
 
-// Surfaces that turn their backs to the light have only what is theirs.
+// Surfaces that face away from the light show only their own and ambient light.
 TEST_F(ShadePassTest, LightFromBelow) {
   lights_[0].toward = glm::normalize(dvec3(0.1, -1, 0.2));
   expect_formula(true, false);
@@ -118,7 +118,7 @@ TEST_F(ShadePassTest, WithoutLights) {
   expect_formula(false, true);
 }
 
-// Each with its own layer of the mask, but for one that casts no shadow.
+// Each with its own layer of the mask, except one that casts no shadow.
 TEST_F(ShadePassTest, UpToTheMostLights) {
   Random random(9);
   while (lights_.size() < kMostLights) {

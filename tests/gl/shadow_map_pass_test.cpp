@@ -68,7 +68,7 @@ class ShadowMapTest : public GlTest {
         covered += truth.found();
         if (std::abs(drawn - (truth.found() ? truth.t / w_at(fit, y + 0.5) : 1)) <= kDepthError) continue;
         ++differ;
-        // Snapping moves outlines: one of the surfaces close by must be what was drawn.
+        // Snapping moves outlines: one of the surfaces nearby must be what was drawn.
         bool explained = explains(scene, fit, truth, x + 0.5, y + 0.5, drawn);
         for (int i = 0; i < 16 && !explained; ++i) {
           const double across = kSnap_texels * std::cos(i * kPi / 8), along = kSnap_texels * std::sin(i * kPi / 8);
@@ -91,7 +91,7 @@ TEST_F(ShadowMapTest, DepthOfSpheres) {
 
 TEST_F(ShadowMapTest, DepthOfSoup) { expect_depth_of_rays(with_normals(random_soup(11, 200, 0.5f)), {0.6, 0.5, -0.7}); }
 
-// A flat scene still has a depth, and light along it is no trouble.
+// A flat scene still has some depth, and light along it works.
 TEST_F(ShadowMapTest, FlatScene) {
   Scene flat;
   add_triangle(flat, {-1, 0, -1}, {-1, 0, 1}, {1, 0, 1});
@@ -127,8 +127,8 @@ struct SeenFrom {
 };
 class ShadowTest : public ShadowMapTest, public testing::WithParamInterface<SeenFrom> {};
 
-// Where no shadow's edge is near, the map and a ray agree, unless the light all but grazes a surface: offsets have
-// their limit.
+// Where no shadow's edge is near, the map and a ray agree, unless the light nearly grazes a surface: offsets are
+// bounded.
 TEST_P(ShadowTest, AgreesWithRaysAwayFromEdges) {
   const int width = 400, height = 300, map_px = 2048, reach = 4;
   const double grazing_cos = 0.05;

@@ -1,4 +1,4 @@
-// --shadow-warp: what a frame's shadow map gets wrong, against a ray for every pixel.
+// --shadow-warp: what a frame's shadow map gets wrong, against a ray per pixel.
 
 #include "core/render/gl_renderer.h"
 #include "tests/gl/frame_test.h"
@@ -57,7 +57,7 @@ TEST_F(ShadowWarpTest, LowOverAFloorFewerPixelsAreWrong) {
   }
 }
 
-// Under every light, also along the view and against it, the warped map is at least about as good.
+// Under every light, even along the view and against it, the warped map is at least about as good.
 TEST_F(ShadowWarpTest, NoLightIsMuchWorseThanUniform) {
   RenderJob job = low_over_floor();
   const Camera camera = camera_at(job.motion, 1);
@@ -99,7 +99,7 @@ TEST_F(ShadowWarpTest, ACropHasTheWholesPixels) {
     }
 }
 
-// What sees nothing has nothing to fit a map to.
+// If nothing is in view, there is nothing to fit a map to.
 TEST_F(ShadowWarpTest, NothingInView) {
   RenderJob job = low_over_floor();
   Camera away = camera_at(job.motion, 1);

@@ -1,4 +1,4 @@
-// shaders/texture.glsl on the GPU and as C++ must mean the same, and textured pictures be those that rays see.
+// shaders/texture.glsl on the GPU and as C++ must mean the same, and textured pictures must match those of rays.
 
 #include <cmath>
 
@@ -90,7 +90,7 @@ std::vector<Frame> render_with(RenderJob job, Method method, ShadowMode shadows)
   return render_all(job);
 }
 
-/// Pixels that differ by more than a step of 8 bits, as a share.
+/// The share of the pixels that differ by more than a step of 8 bits.
 double share_of_other_pixels(const Image& a, const Image& b, float step = 1.0f / 255) {
   size_t others = 0;
   for (size_t i = 0; i < a.pixel_count(); ++i) {
@@ -110,14 +110,14 @@ RenderJob room_job(int frames) {
 // Each method filters textures over a sample's part of the pixel.
 TEST_F(TexturesOnTheGpu, SamplesAreFilteredAlike) {
   RenderJob job = room_job(1);
-  job.settings.width_px = 60, job.settings.height_px = 45;  // many texels a pixel
+  job.settings.width_px = 60, job.settings.height_px = 45;  // many texels per pixel
   job.settings.samples = 4;
   const auto hybrid = render_with(job, Method::hybrid, ShadowMode::exact),
              reference = render_with(job, Method::reference, ShadowMode::rays);
   EXPECT_LT(share_of_other_pixels(hybrid[0].picture, reference[0].picture), 0.01);
 }
 
-// Edges of triangles and of holes may fall to either side of a pixel's centre; all else is the same.
+// Edges of triangles and of holes may fall on either side of a pixel's centre; the rest is the same.
 TEST_F(TexturesOnTheGpu, HybridIsTheRaytracedPicture) {
   const RenderJob job = room_job(3);
   const auto traced = render_with(job, Method::raytrace, ShadowMode::rays);
@@ -142,7 +142,7 @@ TEST_F(TexturesOnTheGpu, TexturesAndHolesShowAndCastShadows) {
   const Frame without = render_with(plain, Method::hybrid, ShadowMode::rays)[0];
   EXPECT_GT(share_of_other_pixels(with.picture, without.picture, 0.05f), 0.2);
 
-  // The shadow map has the holes too: where it and rays differ is the map's coarseness at edges.
+  // The shadow map has the holes too: it differs from rays only by its coarseness at edges.
   job.settings.shadow_map_px = 2048;
   const Frame mapped = render_with(job, Method::hybrid, ShadowMode::map)[0];
   RecordProperty("map", std::to_string(share_of_other_pixels(with.picture, mapped.picture)));

@@ -1,5 +1,5 @@
-// What see-through things cast: a full shadow whatever d, Tf and Ni, but none where a hole is cut. The light stands
-// straight above a pane over a floor, so the shadow is the pane's own outline.
+// See-through things cast a full shadow, whatever d, Tf and Ni, but none where they have holes. The light stands
+// straight above a pane over a floor, so the shadow is the pane's outline.
 
 #include "tests/gl/frame_test.h"
 #include "tests/support/load_scene.h"
@@ -41,7 +41,7 @@ class TransparentShadows : public testing::TestWithParam<Mode> {
     return load_scene(obj.string(), pool, warnings, std::nullopt, watch);
   }
 
-  /// `blocked(x, z)`: whether the pane stands over that place of the floor.
+  /// `blocked(x, z)`: whether the pane is above that place of the floor.
   template <typename Blocked>
   void expect_shadow(const std::string& pane, const Blocked& blocked) {
     RenderJob job = orbit_job(pane_over_floor(pane), 1, kWidth_px, kHeight_px);

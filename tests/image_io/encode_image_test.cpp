@@ -36,7 +36,7 @@ TEST(EncodeImage, PngFollowsTheCurveByTheNearestCode) {
   for (size_t i = 0; i < back.data.size(); ++i) EXPECT_EQ(std::lround(back.data[i] * 255), expected[i]) << i;
 }
 
-/// What an EXR's channel list says: names and pixel types (0 whole numbers, 2 floats).
+/// An EXR's channel list: names and pixel types (0 whole numbers, 2 floats).
 std::map<std::string, int> exr_channels(const std::string& file) {
   const std::string start("channels\0chlist\0", 16);
   size_t at = file.find(start) + start.size() + 4;

@@ -22,7 +22,7 @@ void expect_refused(const std::filesystem::path& path, const std::string& word) 
   }
 }
 
-/// A BMP header, 24 bits a pixel, that promises more than the file holds.
+/// A BMP header, 24 bits per pixel, that promises more than the file holds.
 std::string bmp_header(int32_t width, int32_t height) {
   std::string bytes(54, '\0');
   const auto put = [&](size_t at, int32_t value, int size) {
@@ -87,7 +87,7 @@ TEST(ReadImage, RefusesFilesCutShort) {
   }
 }
 
-// libpng would write of them to standard error.
+// libpng would report them on standard error.
 TEST(ReadImage, DamagedPngsAreToldOfByUs) {
   const std::string bytes = EncodedFile::as_string(encode_image(gradient(20, 20, 3), "png"));
   testing::internal::CaptureStderr();

@@ -1,4 +1,4 @@
-// Pictures read and written by several threads at once, as textures and frames are.
+// Pictures are read and written by several threads at once, like textures and frames.
 
 #include <atomic>
 #include <functional>
@@ -55,7 +55,7 @@ std::string jpeg_with_profile(const std::string& profile) {
   return jpeg.insert(2, "\xFF\xE2" + big_endian(static_cast<uint32_t>(marker.size()) + 2, 2) + marker);
 }
 
-// OpenImageIO 2.4 notes each tag that it meets in a map of its own, which breaks when two threads note new ones.
+// OpenImageIO 2.4 records each tag in a map of its own, which breaks if two threads add new ones at once.
 TEST(Threads, ColourProfilesAreReadSideBySide) {
   constexpr int kFiles = 40, kTags = 5000;
   std::vector<std::unique_ptr<EncodedFile>> files;

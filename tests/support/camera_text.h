@@ -5,7 +5,7 @@
 
 namespace hybridrt {
 
-/// What a camera file with this text says.
+/// The camera of a file with this text.
 inline CameraCourse read_camera_text(std::string_view text, Warnings& warnings, UpAxis up = UpAxis::y) {
   const TemporaryFolder folder;
   return read_camera_file(folder.write("shot.json", text), up, warnings);

@@ -7,7 +7,7 @@
 
 namespace hybridrt {
 
-/// Every edge is used once in each direction, so that all components are closed and evenly wound; no normal
+/// Expects every edge to be used once in each direction, so that all components are closed and evenly wound; no normal
 /// points behind its triangle, and no triangle is degenerate.
 inline void expect_closed(const Scene& scene) {
   std::vector<uint64_t> edges;
@@ -31,7 +31,7 @@ inline void expect_closed(const Scene& scene) {
   EXPECT_EQ(open, 0u);
 }
 
-/// Smallest index of a position that is connected with it, of each position.
+/// For each position the smallest index of a connected one.
 inline std::vector<uint32_t> components_of(const Scene& scene) {
   std::vector<uint32_t> parent(scene.positions.size());
   for (uint32_t i = 0; i < parent.size(); ++i) parent[i] = i;
@@ -48,7 +48,7 @@ inline std::vector<uint32_t> components_of(const Scene& scene) {
   return parent;
 }
 
-/// Each closed component holds a volume greater than 0: its faces look outward.
+/// Expects each closed component to have a volume greater than 0: its faces look outward.
 inline void expect_outward(const Scene& scene) {
   const std::vector<uint32_t> component = components_of(scene);
   std::vector<double> volumes(scene.positions.size(), 0);

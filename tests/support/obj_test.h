@@ -21,7 +21,7 @@ inline Loaded load_text(std::string_view obj, int threads = 2) {
   return loaded;
 }
 
-/// The message of the Error (input) that loading must end in; "" (and a failure) when it does not.
+/// The message of the Error (input) that loading must throw; "" (and a failure) if it does not.
 inline std::string error_of(std::string_view obj) {
   try {
     load_text(obj);

@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-// shaders/shadow_warp.glsl compiled as C++, as tests compare it: in single and in double precision.
+// shaders/shadow_warp.glsl compiled as C++ for tests, in single and in double precision.
 #define HRT_FN inline
 namespace hybridrt::shadow_warp_single {
 using namespace glm;

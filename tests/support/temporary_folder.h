@@ -10,7 +10,7 @@
 
 namespace hybridrt {
 
-/// An empty folder of its own for a test, removed with all it holds.
+/// An empty folder for a test, removed with its contents.
 struct TemporaryFolder {
   std::filesystem::path path;
 
@@ -31,7 +31,7 @@ struct TemporaryFolder {
     return path / name;
   }
 
-  /// Names in the folder, hidden ones too.
+  /// Names in the folder, hidden ones included.
   std::set<std::string> names() const {
     std::set<std::string> result;
     for (const auto& entry : std::filesystem::directory_iterator(path)) result.insert(entry.path().filename().string());

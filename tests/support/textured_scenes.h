@@ -17,11 +17,11 @@ TexelImage pattern_named(const std::filesystem::path& path, int largest_side_px,
 /// are its x and y.
 Scene textured_triangle(const TexelImage& image, TextureMap map = {});
 
-/// Every second triangle with holes; texture coordinates at random.
+/// Gives every second triangle holes; texture coordinates are random.
 Scene with_random_holes(Scene scene, uint32_t seed);
 
-/// A tiled floor, a leaf with holes over it, a mirror with a map_Ks behind, all of a file's statements; loaded from OBJ
-/// and MTL.
+/// A tiled floor, a leaf with holes over it and a mirror with a map_Ks behind, with all kinds of statements; loaded
+/// from OBJ and MTL.
 Scene textured_room();
 
 }  // namespace hybridrt

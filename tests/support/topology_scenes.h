@@ -60,7 +60,7 @@ inline Scene sphere_scene(int rings, int segments) {
   return bare_scene(std::move(positions), std::move(triangles));
 }
 
-/// The same triangles, each with vertices of its own.
+/// The same triangles, each with its own vertices.
 inline Scene with_own_vertices(const Scene& scene) {
   Scene own = scene;
   own.positions.clear();

@@ -10,7 +10,7 @@
 
 namespace hybridrt {
 
-/// Reproducible numbers: unlike std::uniform_real_distribution the same with every standard library.
+/// Reproducible numbers: unlike those of std::uniform_real_distribution, the same with every standard library.
 struct Random {
   std::mt19937 engine;
   explicit Random(uint32_t seed) : engine(seed) {}
@@ -24,7 +24,7 @@ struct Random {
   }
 };
 
-/// Scenes here have triangles only: what the tracers read.
+/// Scenes here have triangles only, which is what the tracers read.
 void add_triangle(Scene& scene, const vec3& a, const vec3& b, const vec3& c);
 Scene transformed(Scene scene, float scale, const vec3& offset);
 

@@ -18,11 +18,11 @@ class FileClaimsTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Claims of one process are as good as those of two: the locks belong to the open file.
+// Claims within one process conflict like those of two processes: the locks belong to the open file.
 TEST_F(FileClaimsTest, FilesAreClaimedOnce) {
   FileClaims one;
   EXPECT_EQ(one.claim(folder_.path / "a.png"), Answer::ours);
-  EXPECT_EQ(one.claim(folder_.path / "a.png"), Answer::ours) << "one's own is no hindrance";
+  EXPECT_EQ(one.claim(folder_.path / "a.png"), Answer::ours) << "a claim does not conflict with itself";
   {
     FileClaims two;
     EXPECT_EQ(two.claim(folder_.path / "." / "a.png"), Answer::taken);
@@ -84,7 +84,7 @@ TEST_F(FileClaimsTest, TheDeadClaimNothing) {
   EXPECT_TRUE(folder_.names().empty());
 }
 
-/// Runs `body(i)` in `count` processes at once; whether all of them returned true.
+/// Runs `body(i)` in `count` processes at once; true if all of them returned true.
 template <typename Body>
 bool in_processes(int count, const Body& body) {
   for (int i = 0; i < count; ++i)
@@ -94,7 +94,7 @@ bool in_processes(int count, const Body& body) {
   return all;
 }
 
-// The lock file is removed and made again all the time.
+// The lock file is removed and created again all the time.
 TEST_F(FileClaimsTest, DisjointFramesAreNeverRefused) {
   EXPECT_TRUE(in_processes(8, [&](int process) {
     for (int i = 0; i < 300; ++i) {
@@ -115,7 +115,7 @@ TEST_F(FileClaimsTest, NoTwoHoldTheSameFrames) {
       if (claims.claim(folder_.path, "x", 10 * part, 10 * part + 9) != Answer::ours) continue;
       const std::filesystem::path mine = folder_.path / std::to_string(part);
       const int descriptor = ::open(mine.c_str(), O_CREAT | O_EXCL | O_WRONLY, 0600);
-      if (descriptor < 0) return false;  // somebody is in it
+      if (descriptor < 0) return false;  // another process is in it
       ::close(descriptor);
       ::unlink(mine.c_str());
       ++held;

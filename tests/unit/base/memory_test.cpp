@@ -7,7 +7,7 @@ namespace {
 
 TEST(AllowedMemory, IsWhatAMachineHas) {
   EXPECT_GT(allowed_memory(), uint64_t{64} << 20);
-  EXPECT_LT(allowed_memory(), uint64_t{1} << 50) << "somebody says how much there is";
+  EXPECT_LT(allowed_memory(), uint64_t{1} << 50) << "some limit is known";
 }
 
 }  // namespace

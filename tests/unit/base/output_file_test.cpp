@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-/// The message of the Error output that writing must end in.
+/// The message of the Error (output) that writing must throw.
 std::string refusal_of(const fs::path& path, std::string_view text) {
   try {
     write_file_atomically(path, text);
@@ -68,7 +68,7 @@ TEST(OutputFile, LeavesDevicesInPlace) {
   EXPECT_NE(refusal_of("/dev/full", "x").find("No space left"), std::string::npos);
 }
 
-// A write that ends halfway, as on a full disk: the old file survives and the temporary is gone.
+// A write that fails halfway, as on a full disk: the old file survives and the temporary is gone.
 TEST(OutputFile, KeepsTheOldFileWhenTheWriteEndsHalfway) {
   const TemporaryFolder folder;
   const fs::path path = folder.path / "a.bin";
@@ -90,7 +90,7 @@ TEST(OutputFile, KeepsTheOldFileWhenTheWriteEndsHalfway) {
   EXPECT_EQ(folder.names(), Names{"a.bin"});
 }
 
-// A reader that looks all the time sees whole files only, whoever writes.
+// A reader that polls sees complete files only, whoever writes.
 TEST(OutputFile, ReadersNeverSeeATornFile) {
   const TemporaryFolder folder;
   const fs::path path = folder.path / "a.bin";

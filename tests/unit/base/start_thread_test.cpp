@@ -1,4 +1,4 @@
-// What starts threads, where the system stops giving them.
+// What happens when the system cannot start more threads.
 
 #include "core/base/start_thread.h"
 
@@ -17,7 +17,7 @@
 namespace hybridrt {
 namespace {
 
-/// While it lives the process has address space for the stacks of `count` more threads and a half.
+/// While it lives the process has address space for the stacks of `count` and a half more threads.
 class ScarceThreads {
  public:
   explicit ScarceThreads(double count) {

@@ -15,7 +15,7 @@ TEST(ExtensionList, HasWholeNamesOnly) {
   EXPECT_TRUE(lists_extension(all, "X_EGL_EXT_client"));
 }
 
-// A longer name before the one that is looked for does not hide it.
+// A longer name before the wanted one does not hide it.
 TEST(ExtensionList, FindsANameBehindALongerOne) {
   EXPECT_TRUE(lists_extension("EGL_EXT_device_base_foo EGL_EXT_device_base", "EGL_EXT_device_base"));
 }

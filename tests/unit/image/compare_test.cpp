@@ -7,7 +7,7 @@
 namespace hybridrt {
 namespace {
 
-/// No two neighbours alike, values 0-1.
+/// An image without equal neighbours, values 0-1.
 Image checkered(int width, int height, int channels = 3) {
   Image image(width, height, channels);
   for (size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(i * 37 % 256) / 255.0f;

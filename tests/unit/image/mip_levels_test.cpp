@@ -36,7 +36,7 @@ double average_code(const std::vector<uint32_t>& image, int width, int height, i
 TEST(MipLevels, ArePiecewiseAveragesInLinearLight) {
   std::mt19937 random(3);
   for (const auto& [width, height] : {std::pair{8, 8}, {16, 4}, {1, 6}, {2, 1}, {32, 2}}) {
-    std::vector<uint32_t> texels{77, 78};  // of somebody else
+    std::vector<uint32_t> texels{77, 78};  // of another image
     for (int i = 0; i < width * height; ++i) texels.push_back(random() | (i % 3 ? 0xFF000000u : 0u));
     const std::vector<uint32_t> image(texels.begin() + 2, texels.end());
     const int levels = append_mip_levels(texels, 2, width, height);

@@ -7,7 +7,7 @@
 namespace hybridrt {
 namespace {
 
-/// IEC 61966-2-1, written again so that the code under test is not its own judge.
+/// IEC 61966-2-1, written again so that the code under test is not compared with itself.
 int code_by_formula(float linear) {
   const double x = std::fmin(1.0, std::fmax(0.0, static_cast<double>(linear)));
   const double display = x <= 0.0031308 ? x * 12.92 : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;

@@ -48,7 +48,7 @@ TEST_F(LoadTextures, KeepsTextureCoordinatesOfCorners) {
   const Textures& t = *scene.textures;
   ASSERT_EQ(t.triangle_texcoords.size(), 3u);
   const auto at = [&](uint32_t triangle, int corner) { return t.texcoords[t.triangle_texcoords[triangle][corner]]; };
-  for (uint32_t triangle = 0; triangle < 2; ++triangle)  // corner for corner, however the quad was cut
+  for (uint32_t triangle = 0; triangle < 2; ++triangle)  // corner by corner, however the quad was cut
     for (int corner = 0; corner < 3; ++corner) {
       const vec3 p = scene.vertex(triangle, corner);
       EXPECT_EQ(at(triangle, corner), p == vec3(0) ? vec2(0) : p == vec3(1, 1, 0) ? vec2(1) : vec2(1, 0));
@@ -63,7 +63,8 @@ TEST_F(LoadTextures, KeepsTextureCoordinatesOfCorners) {
 
 TEST_F(LoadTextures, NothingIsKeptWithoutMaps) {
   EXPECT_FALSE(load("newmtl a\n", "usemtl a\nf 1/1 2/2 3/3\n").textures);
-  EXPECT_FALSE(load("newmtl a\nnewmtl b\nmap_Kd noise.png\n", "usemtl a\nf 1/1 2/2 3/3\n").textures) << "nobody uses b";
+  EXPECT_FALSE(load("newmtl a\nnewmtl b\nmap_Kd noise.png\n", "usemtl a\nf 1/1 2/2 3/3\n").textures)
+      << "no triangle uses b";
   EXPECT_FALSE(load("newmtl a\nmap_Ks gone.png\n", "usemtl a\nf 1/1 2/2 3/3\n").textures);
   EXPECT_EQ(reads, 0);
 }
@@ -114,7 +115,7 @@ TEST_F(LoadTextures, HolesOfAlphaAndOfMapD) {
   EXPECT_EQ(record(scene, 3, HRT_MAP_HOLES), 0u) << "never under one half";
   EXPECT_EQ(words(4, HRT_TEXTURE_WIDTH), 32u);
   EXPECT_EQ(scene.textures->words[words(4, HRT_TEXTURE_FIRST) + 8 * 32 + 8] >> 24, 0u) << "its alpha";
-  EXPECT_EQ(scene.material_of(0).opacity, 1) << "holes are no veil";
+  EXPECT_EQ(scene.material_of(0).opacity, 1) << "holes do not make the rest see-through";
 }
 
 TEST_F(LoadTextures, MissingCoordinatesAreToldOf) {
@@ -150,7 +151,7 @@ TEST_F(LoadTextures, TheSameForAnyThreads) {
 
 TEST_F(LoadTextures, UnreadableCoordinatesAreZero) {
   load("newmtl a\nmap_Kd noise.png\n", "vt nan 0\nvt 1e9 0\nvt\nvt 0.5\nusemtl a\nf 1/1 2/2 3/3\nf 1/4 2/5 3/7\n");
-  EXPECT_TRUE(warned(warnings, "3 texture coordinates are no usable numbers and were set to 0 (first at line 9)"));
+  EXPECT_TRUE(warned(warnings, "3 texture coordinates are not usable numbers and were set to 0 (first at line 9)"));
 }
 
 }  // namespace

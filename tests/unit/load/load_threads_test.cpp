@@ -1,4 +1,4 @@
-// Loading uses all threads, and nothing of it shows in what is loaded.
+// Loading uses all threads, and the result does not depend on them.
 
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace hybridrt {
 namespace {
 
-/// A hilly field of quads without normals, as OBJ; some quads are there twice, some are flat.
+/// A hilly field of quads without normals, as OBJ; some quads occur twice, some have no area.
 std::string field(int side) {
   std::string text = "mtllib none.mtl\n";
   for (int y = 0; y < side; ++y)

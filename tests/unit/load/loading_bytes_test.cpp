@@ -51,7 +51,7 @@ TEST(LoadingBytes, BelieveNoPromiseThatTheFileHasNoRoomFor) {
   EXPECT_EQ(loading_bytes(folder.path), 0u);
 }
 
-/// What load_scene says with `most_bytes` allowed, or "" when it loads.
+/// The message of load_scene with `most_bytes` allowed, or "" if it loads.
 std::string refusal(const std::string& scene, uint64_t most_bytes) {
   ThreadPool pool(1);
   Warnings warnings;

@@ -31,7 +31,7 @@ string failure(const string& name, std::string_view bytes) {
   return "";
 }
 
-/// A number in a byte order of our choice.
+/// A number in the given byte order.
 template <typename T>
 string bytes(T value, bool big = false) {
   string text(sizeof(T), '\0');
@@ -154,7 +154,7 @@ TEST(Ply, RefusesWhatIsWrong) {
   EXPECT_TRUE(contains(failure("a.ply", ""), "does not begin with 'ply'"));
   EXPECT_TRUE(contains(failure("a.ply", "v 0 0 0\nf 1 1 1\n"), "does not begin with 'ply'"));
   EXPECT_TRUE(contains(failure("a.ply", "ply\nformat ascii 1.0\n"), "header has no end"));
-  EXPECT_TRUE(contains(failure("a.ply", "ply\nformat utf7 1.0\nend_header\n"), "a.ply:2: 'utf7' is no PLY format"));
+  EXPECT_TRUE(contains(failure("a.ply", "ply\nformat utf7 1.0\nend_header\n"), "a.ply:2: 'utf7' is not a PLY format"));
   EXPECT_TRUE(contains(failure("a.ply", "ply\nformat ascii 1.0\nelement vertex x\nend_header\n"), "a.ply:3: 'x'"));
   ThreadPool pool(1);
   Warnings warnings;
@@ -193,9 +193,9 @@ TEST(Off, ReadsKindsCommentsAndColours) {
 TEST(Off, RefusesWhatIsWrong) {
   EXPECT_TRUE(contains(failure("a.off", ""), "cut short: it ends before the keyword OFF"));
   EXPECT_TRUE(contains(failure("a.off", "solid\n"), "'solid' is not the keyword OFF"));
-  EXPECT_TRUE(contains(failure("a.off", "4OFF\n1 1 1\n"), "other than three dimensions"));
+  EXPECT_TRUE(contains(failure("a.off", "4OFF\n1 1 1\n"), "does not have three dimensions"));
   EXPECT_TRUE(contains(failure("a.off", "OFF BINARY\n1 1 1\n"), "binary OFF is not read"));
-  EXPECT_TRUE(contains(failure("a.off", "OFF\n4000000000 1 0\n"), "is no count"));
+  EXPECT_TRUE(contains(failure("a.off", "OFF\n4000000000 1 0\n"), "is not a count"));
   EXPECT_TRUE(contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n"), "it ends before the last vertex"));
   EXPECT_TRUE(contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n"), "a.off:4: 'nan'"));
   EXPECT_TRUE(contains(failure("a.off", "OFF\n3 1 0\n0 0 0\n1 1e30 0\n0 1 0\n3 0 1 2\n"), "its y coordinate"));
@@ -240,7 +240,7 @@ TEST(Stl, RefusesWhatIsWrongAndSaysWhatItLeftOut) {
   EXPECT_TRUE(contains(failure("a.stl", "solid a\nfacet normal 0 0 1\nvertex 0 0 nan\n"), "a.stl:3: 'nan'"));
   EXPECT_TRUE(contains(failure("a.stl", "solid a\n" + kFacet.substr(0, 60)), "a.stl:2: cut short"));
   EXPECT_TRUE(contains(failure("a.stl", "solid a\nvertex 0 0 0\n"), "outside of any facet"));
-  EXPECT_TRUE(contains(failure("a.stl", "solid a\n" + kFacet + "wat\n"), "'wat' is no statement"));
+  EXPECT_TRUE(contains(failure("a.stl", "solid a\n" + kFacet + "wat\n"), "'wat' is not a statement"));
   EXPECT_TRUE(warned(load("a.stl", binary_stl(1, 2)).warnings, "50 bytes behind its 1 facets were ignored"));
   string flat = kFacet;
   flat.replace(flat.find("0 1 0"), 5, "2 0 0");

@@ -102,7 +102,7 @@ TEST(Mtl, TextureNamesArePickedOutOfTheirOptions) {
   EXPECT_EQ(read_texture_statement("-s 1 1 1 -mm 0 1 -bm 0.3 -clamp on -imfchan r -type sphere a b.png").name,
             "a b.png");
   EXPECT_EQ(read_texture_statement("-o 0.5 3.png").name, "3.png") << "fewer numbers than three";
-  EXPECT_EQ(read_texture_statement("a-b -c.png -texres 64").name, "a-b -c.png") << "an option behind the name";
+  EXPECT_EQ(read_texture_statement("a-b -c.png -texres 64").name, "a-b -c.png") << "an option after the name";
   EXPECT_EQ(read_texture_statement("-o -1 -2 -3 x.png").name, "x.png");
   EXPECT_EQ(read_texture_statement("-blendu on").name, "");
 }

@@ -1,4 +1,4 @@
-// An OBJ reads the same whatever the chunks that it is cut into, and however many threads read them.
+// An OBJ reads the same whatever chunks it is cut into, and however many threads read them.
 
 #include "core/load/obj_parse.h"
 #include "core/load/text_blocks.h"
@@ -9,7 +9,7 @@ namespace {
 
 using std::string;
 
-/// All that reading gives, or the error that it ends in.
+/// The result of reading, or the error that ends it.
 struct Reading {
   MeshData data;
   Warnings warnings;
@@ -29,7 +29,7 @@ Reading read_in_chunks(const std::filesystem::path& path, size_t chunk_bytes, in
 
 void expect_same(const Reading& a, const Reading& b) {
   EXPECT_EQ(a.error, b.error);
-  if (!a.error.empty()) return;  // what was warned of before is lost
+  if (!a.error.empty()) return;  // earlier warnings are lost
   EXPECT_EQ(a.warnings, b.warnings);
   EXPECT_EQ(a.data.positions, b.data.positions);
   EXPECT_EQ(a.data.normals, b.data.normals);
@@ -56,8 +56,8 @@ Reading expect_chunks_do_not_matter(const string& text) {
   return whole;
 }
 
-// Indices from both ends, polygons before their vertices, materials over many lines, continued lines, all faults that
-// are repaired.
+// Indices from both ends, polygons before their vertices, materials over many lines, continued lines, all repairable
+// faults.
 const string kEverything =
     "mtllib a.mtl\nf 1 2 3 4 5\nv 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nusemtl red\nf -1 -2 -3\n"
     "f 1 2 3 4\nvn 0 0 1\nvn nan 0 0\nf 1//1 2//-1 3//2\nusemtl blue\nusemtl red\nf 1//3 2//9 3/7/0\n"

@@ -1,4 +1,4 @@
-// What broken OBJ files get: an error that names the place, or a counted warning.
+// Broken OBJ files give an error that names the place, or a counted warning.
 
 #include <random>
 
@@ -27,7 +27,7 @@ TEST(ObjFaults, RandomBytesEndInAnError) {
   for (int round = 0; round < 200; ++round) {
     string bytes(1 + random() % 5000, ' ');
     for (char& byte : bytes) byte = static_cast<char>(round % 2 ? random() : "vf 123/-.\n\\en#"[random() % 14]);
-    if (round % 2 == 0) bytes += "\nf 0 0 0\n";  // the alphabet of OBJ could be right by chance
+    if (round % 2 == 0) bytes += "\nf 0 0 0\n";  // random OBJ characters could be valid by chance
     EXPECT_NE(error_of(bytes), "");
   }
 }
@@ -83,7 +83,7 @@ TEST(ObjFaults, BadAttributeIndicesAreLeftOutAndCounted) {
   const Loaded loaded = load_text(kTriangle + "vt 0 0\nvn 1 0 0\n" +
                                   "f 1/1/1 2/2/1 3/-2/1\n"       // two bad vt
                                   "f 1//1 2//0 3//4294967297\n"  // two bad vn
-                                  "f 1/1/ 2// 3//3\n");          // one bad vn; empty ones are none
+                                  "f 1/1/ 2// 3//3\n");          // one bad vn; empty ones do not count
   EXPECT_EQ(loaded.scene.triangle_count(), 3u);
   EXPECT_TRUE(warned(loaded.warnings, "2 texture coordinate indices lead nowhere"));
   EXPECT_TRUE(warned(loaded.warnings, "3 normal indices lead nowhere"));

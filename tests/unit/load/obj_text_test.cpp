@@ -1,4 +1,4 @@
-// Every way to write an OBJ down that must read the same.
+// All ways to write the same OBJ must read the same.
 
 #include <clocale>
 #include <locale>
@@ -101,7 +101,7 @@ TEST(ObjText, TheLocaleDoesNotMatter) {
   const Scene plain = load_text(kSquare).scene;
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
   const string c_before = std::setlocale(LC_NUMERIC, nullptr);
-  std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where it is installed
+  std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // if it is installed
   const Scene german = load_text(kSquare).scene;
   std::setlocale(LC_NUMERIC, c_before.c_str());
   std::locale::global(before);

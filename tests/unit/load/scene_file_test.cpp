@@ -24,7 +24,7 @@ struct SceneFile : testing::Test {
     ADD_FAILURE() << "read without an error: " << text;
     return "";
   }
-  /// With a mesh in front.
+  /// The failure of a scene JSON with a mesh and `more`.
   string failure_of(const string& more) { return failure(R"({"meshes":["a.obj"],)" + more + "}"); }
 };
 
@@ -88,7 +88,7 @@ TEST_F(SceneFile, HasACameraOrAPathOrTheNameOfOne) {
 TEST_F(SceneFile, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(contains(failure("{}"), "'meshes' is missing"));
   EXPECT_TRUE(contains(failure(R"({"meshes":[]})"), "there are no meshes"));
-  EXPECT_TRUE(contains(failure(R"({"meshes":["a.blend"]})"), "meshes[0]: 'a.blend' is no .obj, .ply"));
+  EXPECT_TRUE(contains(failure(R"({"meshes":["a.blend"]})"), "meshes[0]: 'a.blend' is not an .obj, .ply"));
   EXPECT_TRUE(contains(failure(R"({"meshes":"a.obj"})"), "meshes: must be an array"));
   EXPECT_TRUE(contains(failure_of(R"("mesh":1)"), "unknown key 'mesh'"));
   EXPECT_TRUE(contains(failure_of(R"("up_axis":"x")"), "up_axis: 'x' is not known"));

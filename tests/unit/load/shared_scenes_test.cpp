@@ -1,4 +1,4 @@
-// The scenes that others made, where they are at hand: counts against the list that came with them.
+// Scenes made by others, if they are available: counts against the list that came with them.
 
 #include <fstream>
 
@@ -10,7 +10,7 @@ namespace {
 
 struct Expected {
   const char* file;
-  size_t triangles;     ///< those of the file less those of zero area
+  size_t triangles;     ///< those of the file minus those of zero area
   size_t materials;     ///< "default" included where it is used
   const char* warning;  ///< a part of one; null: none at all
 };

@@ -1,4 +1,4 @@
-// The scenes that others made, where they are at hand: edges against the list that came with them.
+// Scenes made by others, if they are available: edges against the list that came with them.
 
 #include <algorithm>
 
@@ -29,10 +29,10 @@ TEST_P(SharedTopology, HasTheListedEdges) {
   EXPECT_EQ(all_closed, t.non_manifold_edges + t.boundary_edges + t.inconsistent_edges == 0);
 }
 
-// The list counts edges of the polygons as written. Ours are of triangles: quads that are there twice share
-// their diagonals too, and where a triangle of zero area was left out its neighbours end. So Original and
-// Mirror have 2 non-manifold edges more, the sports car 915 (and 225 boundary edges), sibenik 13 boundary
-// edges, the holodeck 8.
+// The list counts edges of the polygons as written. Ours are those of triangles: quads that occur twice share their
+// diagonals too, and where a triangle of zero area was left out its neighbours have a border. So Original and Mirror
+// have 2 more non-manifold edges, the sports car 915 (and 225 boundary edges), sibenik 13 boundary edges, the holodeck
+// 8.
 const Expected kScenes[] = {
     {"sibenik/sibenik.obj", 799, 8217},
     {"armadillo/armadillo.obj", 0, 0},

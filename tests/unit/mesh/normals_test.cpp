@@ -44,7 +44,7 @@ TEST(Normals, AFineSphereIsSmooth) {
     for (int k = 0; k < 3; ++k)
       worst = std::min<double>(worst, glm::dot(normal_of(scene, t, k), normal_of(exact, t, k)));
   EXPECT_GT(worst, std::cos(1.0 * kPi / 180)) << "within a degree of the analytic normal";
-  EXPECT_EQ(scene.normals.size(), scene.positions.size()) << "one a vertex: smooth all around";
+  EXPECT_EQ(scene.normals.size(), scene.positions.size()) << "one per vertex: smooth all around";
 }
 
 TEST(Normals, VerticesOfTheirOwnAreWelded) {
@@ -65,7 +65,7 @@ TEST(Normals, VerticesOfTheirOwnAreWelded) {
 }
 
 TEST(Normals, TheWeightIsTheAngle) {
-  // Over a ridge of 2 x 20 degrees, one side cut into two triangles, which must not make it count twice.
+  // Over a ridge of 2 x 20 degrees. One side is cut into two triangles, and must not count twice.
   const double c = std::cos(20 * kPi / 180), s = std::sin(20 * kPi / 180);
   const Scene scene =
       load_text(fmt::format("v 0 0 0\nv 0 0 2\nv {0} -{1} 1\nv {0} -{1} 0\nv -{0} -{1} 1\nv -{0} -{1} 0\n"

@@ -9,7 +9,7 @@
 namespace hybridrt {
 namespace {
 
-/// `triangles` over few places, so that sides meet often, and several vertices a place.
+/// `triangles` over few places, so that sides meet often, with several vertices per place.
 Scene random_soup(uint32_t seed, int places, int triangles) {
   std::mt19937 random(seed);
   std::vector<vec3> positions;
@@ -23,7 +23,7 @@ Scene random_soup(uint32_t seed, int places, int triangles) {
   return bare_scene(std::move(positions), std::move(corners));
 }
 
-/// What the triangles at the side from `from` to `to` are, found by looking at every side of all triangles.
+/// What meets at the side from `from` to `to`, found by looking at every side of all triangles.
 struct Meeting {
   size_t along = 0, against = 0;
   uint32_t smallest = 0xFFFFFFFFu;

@@ -20,7 +20,7 @@ View view_along(const dvec3& eye, const dvec3& forward, const dvec3& up, double 
   return make_view({eye, eye + forward, up, fov_y_rad}, dvec3(0), 640, 480);
 }
 
-/// Light's box around everything that is received and a caster above it.
+/// The light's box around all receivers and a caster above them.
 LightFrame light_over(const dvec3& toward, const View& view, const std::vector<dvec3>& receivers) {
   Scene scene;
   vec3 first(view.eye + receivers[0]);
@@ -28,7 +28,7 @@ LightFrame light_over(const dvec3& toward, const View& view, const std::vector<d
   return fit_light_frame(scene, toward);
 }
 
-/// Relative to the eye, in front of it and within the picture.
+/// Random points relative to the eye, in front of it and within the picture.
 std::vector<dvec3> random_receivers(Random& random, const View& view, int count, double nearest, double farthest) {
   std::vector<dvec3> points;
   for (int i = 0; i < count; ++i)
@@ -39,7 +39,7 @@ std::vector<dvec3> random_receivers(Random& random, const View& view, int count,
 
 dvec4 in_map(const ShadowMapFit& fit, const dvec3& point) { return fit.map_from_origin * dvec4(point - fit.origin, 1); }
 
-/// The scene's point at a place of the map.
+/// The scene's point at a place in the map.
 dvec3 scene_point(const ShadowMapFit& fit, const dvec2& uv, double z) {
   const double w = shadow_warp_double::map_w(uv.y, fit.inverse_w_slope);
   return fit.origin + dvec3(glm::inverse(fit.map_from_origin) * dvec4(uv * w, z, w));
@@ -87,7 +87,7 @@ TEST(ShadowMapFit, IsFiniteAndHoldsItsReceiversUnderEveryLight) {
     ASSERT_LE(fit.inverse_w_slope, 0) << i;
     ASSERT_GT(fit.inverse_w_slope, -1 + 1e-6) << i;  // w is positive and finite over the map
     warped += fit.inverse_w_slope < -0.1;
-    // By two texels inside: what rounding moves, or by an eighth of a small map.
+    // Two texels inside, or an eighth of a small map, minus rounding.
     const double margin = 0.99 * std::min(2.0, size_px / 8.0) / size_px;
     for (const dvec3& p : c.receivers) {
       const dvec4 q = in_map(fit, c.view.eye + p);
@@ -96,7 +96,8 @@ TEST(ShadowMapFit, IsFiniteAndHoldsItsReceiversUnderEveryLight) {
         ASSERT_GE(q[k] / q.w, margin) << i;
         ASSERT_LE(q[k] / q.w, 1 - margin) << i;
       }
-      const double rounding = 0x1p-22 * glm::length(c.view.eye + p) / (c.light.hi.z - c.light.lo.z);  // of the scene
+      const double rounding =
+          0x1p-22 * glm::length(c.view.eye + p) / (c.light.hi.z - c.light.lo.z);  // rounding of the scene
       ASSERT_GT(q.z, -rounding) << i;
       ASSERT_LT(q.z, 1 + rounding) << i;
     }
@@ -104,7 +105,7 @@ TEST(ShadowMapFit, IsFiniteAndHoldsItsReceiversUnderEveryLight) {
   EXPECT_GT(warped, 30'000);
 }
 
-// z is a point's place along the light, and w knows nothing of it: whatever is nearer to the light is in the same
+// z is a point's place along the light, and w does not depend on it: whatever is nearer to the light is in the same
 // texel.
 TEST(ShadowMapFit, DepthIsLinearAlongTheLight) {
   Random random(3);
@@ -126,7 +127,7 @@ TEST(ShadowMapFit, DepthIsLinearAlongTheLight) {
   }
 }
 
-// 1 / w along the rows, a texel's size and lean: against differences.
+// 1 / w along the rows, and a texel's size and lean, against finite differences.
 TEST(ShadowMapFit, ShadersKnowWAndTexelsOfEveryPlace) {
   Random random(4);
   int leaning = 0;
@@ -156,7 +157,7 @@ TEST(ShadowMapFit, ShadersKnowWAndTexelsOfEveryPlace) {
     EXPECT_NEAR(glm::dot(along, fit.across), lean * texel.y, 1e-4 * texel.y * (1 + std::abs(lean)));
     leaning += std::abs(lean) > 0.2;
 
-    // Depth over half a texel, on a plane, is never more than the offset takes.
+    // On a plane, depth changes over half a texel by no more than the offset.
     const dvec2 gradient(random.between(-5, 5), random.between(-5, 5));
     double most = 0;
     for (double u : {-0.5, 0.5})
@@ -194,7 +195,7 @@ TEST(ShadowMapFit, LightAlongTheViewIsFittedWithoutWarp) {
   }
 }
 
-// Under a low light a floor that is seen from above is a thin line across the map: most of what leans fills it.
+// Under a low light a floor seen from above would be a thin line across the map; leaning fills it.
 TEST(ShadowMapFit, ReceiversFillTheMap) {
   const View view = view_along({0, 5, 0}, {0, -0.5, -1}, {0, 1, 0});
   std::vector<dvec3> floor;

@@ -46,7 +46,7 @@ Scene box(const vec3& lo, const vec3& hi) {
   return body;
 }
 
-/// A ball drawn out along z whose cross sections are figures of eight: one of its halves is turned inside out.
+/// A ball stretched along z whose cross sections are figures of eight: one of its halves is turned inside out.
 Scene figure_of_eight() {
   Scene body = closed_sphere(40, 20);
   for (vec3& p : body.positions) {

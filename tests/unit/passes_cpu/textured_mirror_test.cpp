@@ -1,4 +1,4 @@
-// A texture in a mirror is filtered for the whole path: as from where the mirror's image of the eye stands.
+// A texture in a mirror is filtered for the whole path: as if seen from the mirror image of the eye.
 
 #include <gtest/gtest.h>
 

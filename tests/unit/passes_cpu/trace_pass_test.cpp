@@ -1,4 +1,4 @@
-// Pass 4 and whole frames on the CPU: what is asked, counted and left alone.
+// Pass 4 and whole frames on the CPU: what is traced, counted and left alone.
 
 #include "core/passes_cpu/trace_pass.h"
 
@@ -104,7 +104,7 @@ TEST_F(TracePass, WithALightBufferTheAnswersAreThoseOfDoublePrecision) {
   EXPECT_EQ(stats.primary_shadow_rays, asked);
   EXPECT_GT(shadowed, asked / 100);
 
-  // A whole frame on the CPU sees the same triangles here, and asks the same.
+  // A whole frame on the CPU sees the same triangles here, and asks the same queries.
   std::vector<vec4> picture(kPixels);
   std::vector<uint32_t> ids(kPixels);
   std::vector<uint8_t> lit(kPixels);
@@ -117,7 +117,7 @@ TEST_F(TracePass, OnlyMarkedPixelsAsk) {
   std::vector<uint8_t> mask(kPixels);
   int64_t receivers = 0, marked = 0;
   for (int i = 0; i < kPixels; ++i) {
-    // Wrong answers where nothing is marked must stay: nobody asks there.
+    // Wrong answers at unmarked pixels must stay: no ray is asked there.
     mask[i] = ids_[i] == kNoTriangle ? HRT_MASK_NO_RECEIVER : i % 3 == 0 ? HRT_MASK_LIT : 0;
     if (ids_[i] == kNoTriangle) continue;
     ++receivers;

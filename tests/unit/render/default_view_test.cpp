@@ -61,7 +61,7 @@ TEST(DefaultView, SharedScenesAreWhatTheyAre) {
       {"teapot/teapot.obj", Surroundings::outside},
       {"sports_car/sportsCar.obj", Surroundings::outside},
       {"armadillo/armadillo.obj", Surroundings::outside},
-      {"scrub_pine/scrubPine.obj", Surroundings::outside}};  // whose foliage shows its back as often as its front
+      {"scrub_pine/scrubPine.obj", Surroundings::outside}};  // its foliage shows back faces as often as front faces
   for (const auto& [name, surroundings] : scenes) {
     const std::filesystem::path path = std::filesystem::path(HYBRIDRT_SHARED_SCENES) / name;
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "the shared scenes are not here";

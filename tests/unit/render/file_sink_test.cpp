@@ -25,7 +25,7 @@ Image numbered(int number) { return Image(2, 1, 1, static_cast<float>(number)); 
 TEST(FileSink, WritesEveryPictureUnderItsOwnName) {
   const TemporaryFolder folder;
   std::atomic<int> turn{0};
-  std::vector<double> times_ms;  // `done` never runs twice at a time, so this needs no lock
+  std::vector<double> times_ms;  // `done` runs one at a time, so this needs no lock
   {
     // Early pictures take longest, so that the order of finishing is not the order of submitting.
     FileSink sink(
@@ -67,7 +67,7 @@ TEST(FileSink, SubmitBlocksWhileTheQueueIsFull) {
   auto producer = std::async(std::launch::async, [&] {
     for (int i = 0; i < 6; ++i, ++submitted) sink.submit(folder.path / std::to_string(i), numbered(i));
   });
-  // One in work and two waiting; the fourth may not get in.
+  // One in progress and two waiting; the fourth must not be accepted.
   for (int i = 0; i < 2000 && submitted < 3; ++i) std::this_thread::sleep_for(1ms);
   std::this_thread::sleep_for(50ms);
   EXPECT_EQ(submitted, 3);
@@ -94,7 +94,7 @@ TEST(FileSink, CarriesAFailureOnceAndGoesOn) {
     try {
       sink.submit(folder.path / std::to_string(i), numbered(i), [&](double) { ++done; });
     } catch (const Error&) {
-      --i;  // told early: this one was not taken
+      --i;  // an earlier failure was thrown: this one was not taken
     }
     if (i == 1) {
       try {

@@ -1,4 +1,4 @@
-// The fingerprint changes with whatever decides pixels, and with nothing else.
+// The fingerprint changes with everything that decides pixels, and with nothing else.
 
 #include "core/render/fingerprint.h"
 

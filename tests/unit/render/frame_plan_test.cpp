@@ -1,4 +1,4 @@
-// What a frame needs, and above all what it can leave out.
+// What a frame needs, and what it can leave out.
 
 #include "core/render/frame_plan.h"
 
@@ -168,7 +168,7 @@ bool a_point_is_seen(const View& view, const Aabb& box) {
   return false;
 }
 
-// It may err toward true only; how seldom it does is what it is good for.
+// It may err toward true only, and must do so rarely.
 TEST(MayBeSeen, NeverLosesABoxThatIsInView) {
   Random random(12);
   int seen = 0, left_out = 0, needless = 0;

@@ -107,7 +107,7 @@ TEST(FrameSpec, OverlapsAreFoundExactly) {
   }
 }
 
-// Nothing is held but the ranges: walking a sequence of 10^9 frames takes no memory.
+// Only the ranges are held: going through a sequence of 10^9 frames takes no memory.
 TEST(FrameSpec, ABillionFramesAreStreamed) {
   const FrameSpec spec = parse_frame_spec("1-1000000000");
   EXPECT_EQ(spec.count(), 1'000'000'000);

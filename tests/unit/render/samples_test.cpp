@@ -1,4 +1,4 @@
-// Several samples a pixel: where they lie, and that their mean is delivered once.
+// Several samples per pixel: where they lie, and that their mean is delivered once.
 
 #include "core/render/samples.h"
 
@@ -15,7 +15,7 @@ namespace {
 TEST(Samples, BeginInTheCentreAndCoverThePixelEvenly) {
   EXPECT_EQ(sample_offset_px(0), dvec2(0));
   for (int count : {16, 64, 256}) {
-    // Boxes of 1/4 x 1/4 pixel: each holds its share, but for three samples.
+    // Boxes of 1/4 x 1/4 pixel: each holds its share, give or take three samples.
     int boxes[16] = {};
     dvec2 mean(0);
     for (int i = 0; i < count; ++i) {
@@ -42,8 +42,8 @@ TEST(Samples, RaysAndRasterLookAtTheSamePlace) {
   EXPECT_NEAR((1 - clip.y / clip.w) / 2 * 48, 20.5, 1e-12);
 }
 
-// On paper: four samples a pixel see what the four pixels there see at twice the resolution, textures filtered alike;
-// the level falls by half of log2(4).
+// Known on paper: four samples per pixel see what four pixels see at twice the resolution, with textures filtered
+// alike; the level falls by half of log2(4).
 TEST(Samples, FilterTexturesOverTheirPartOfThePixel) {
   View coarse = make_view({{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 0.8}, dvec3(0), 24, 16);
   const View fine = make_view({{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 0.8}, dvec3(0), 48, 32);

@@ -13,7 +13,7 @@
 namespace hybridrt {
 namespace {
 
-// As the documentation has it; more columns may follow.
+// As documented; more columns may follow.
 constexpr const char* kHeader =
     "frame,shadow_map_ms,id_ms,mark_ms,readback_ms,trace_ms,upload_ms,shade_ms,download_ms,write_ms,wall_ms,"
     "pixels_hit,pixels_marked,pixels_reflective,pixels_refractive,shadow_rays,reflection_rays,refraction_"
@@ -65,7 +65,7 @@ TEST_F(TimingsCsvTest, HeaderAndEveryColumn) {
     EXPECT_EQ(values[i].find_first_not_of("0123456789."), std::string::npos) << values[i];
     row[names[i]] = std::stod(values[i]);
   }
-  EXPECT_EQ(row.size(), names.size()) << "a name twice";
+  EXPECT_EQ(row.size(), names.size()) << "a name occurs twice";
   const std::map<std::string, double> expected = {
       {"frame", 12},           {"shadow_map_ms", 10.5},   {"id_ms", 11.5},           {"mark_ms", 12.5},
       {"readback_ms", 13.5},   {"trace_ms", 14.5},        {"upload_ms", 15.5},       {"shade_ms", 16.5},
@@ -143,7 +143,7 @@ TEST_F(TimingsCsvTest, RowsAreWholeWheneverOneLooks) {
 
 TEST_F(TimingsCsvTest, ManyRowsTakeNoQuadraticTime) {
   TimingsCsv csv(path());
-  for (int frame = 1; frame <= 200'000; ++frame) csv.add(numbered(frame), 0);  // copied at each row: an hour
+  for (int frame = 1; frame <= 200'000; ++frame) csv.add(numbered(frame), 0);  // copying at each row would take an hour
   csv.finish();
   EXPECT_GT(std::filesystem::file_size(path()), 10'000'000u);
 }
@@ -160,11 +160,11 @@ struct DecimalComma : std::numpunct<char> {
   std::string do_grouping() const override { return "\3"; }
 };
 
-// As in de_DE, which few machines have installed.
+// A locale like de_DE, which few machines have installed.
 TEST_F(TimingsCsvTest, LocaleDoesNotReachTheNumbers) {
   const std::string c_before = std::setlocale(LC_ALL, nullptr);
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where it is
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // if it is installed
   Frame frame = numbered(12345);
   frame.timings.wall_ms = 1234.5;
   TimingsCsv csv(path());
@@ -198,7 +198,7 @@ TEST_F(TimingsCsvTest, MissingFoldersAreMade) {
   EXPECT_TRUE(std::filesystem::exists(deep));
 }
 
-// Not replaced by a file: a named pipe stands for all that is none.
+// Not replaced by a file: a named pipe stands for everything that is not a file.
 TEST_F(TimingsCsvTest, PipesAreWrittenStraight) {
   const std::string pipe = (folder_.path / "pipe").string();
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

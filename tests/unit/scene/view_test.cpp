@@ -44,7 +44,7 @@ TEST(View, PixelsGoFromTopLeftToBottomRight) {
   EXPECT_NEAR(glm::distance(view.pixel_dir(3, 1), dvec3(1.5, -0.5, -1)), 0, 1e-12);
 }
 
-// Points on the ray of a pixel land on the pixel's centre, nearer ones with a larger depth.
+// Points on a pixel's ray project to the pixel's centre, nearer ones with a larger depth.
 TEST(View, ProjectionAndRaysAgree) {
   Random random(2);
   for (int i = 0; i < 300; ++i) {

@@ -33,9 +33,9 @@ double rounding_of(const Scene& scene, const Ray<double>& ray) {
 // Embree and the kd-tree round differently, so against the truth in double this counts as agreement:
 //  - the same triangle,
 //  - another one at the same distance, within 32 float roundings of the largest distance in the scene,
-//  - a dispute about whether the nearer triangle is hit at all, while the ray passes its outline, or the hit
-//    the end of the ray's range, within the same bound.
-// One caster answers both questions alike; only Embree's packets may dispute with themselves, of such rays.
+//  - a dispute about whether the nearer triangle is hit at all, if within the same bound the ray passes its outline, or
+//    the hit lies at the end of the ray's range.
+// A caster answers both queries alike; only Embree's packets may contradict themselves, for such rays.
 void expect_agreement(const RayCaster<float>& caster, const Scene& scene, const std::vector<Ray<float>>& rays,
                       bool one_mind = true) {
   std::vector<Hit<float>> hits(rays.size());

@@ -1,4 +1,4 @@
-// Where tracers are known to fail: each failure has its scene, and double precision or geometry tells what is right.
+// Where tracers are known to fail: each failure has its scene, and double precision or geometry gives the right answer.
 
 #include <gtest/gtest.h>
 

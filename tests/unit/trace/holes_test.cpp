@@ -1,4 +1,4 @@
-// Everybody sees the same holes: brute force, kd-tree, Embree, light buffer.
+// All see the same holes: brute force, kd-tree, Embree, light buffer.
 
 #include "core/trace/holes.h"
 
@@ -70,7 +70,7 @@ TEST_F(Holes, ReferenceSeesThemAsBruteForceInDouble) {
     ASSERT_EQ(hits[i].triangle, brute_force_hit(scene, in_doubles[i]).triangle) << i;
 }
 
-// Embree rounds the weights in its own way, so a ray through the very edge of a hole, or of a triangle, is disputed.
+// Embree rounds weights differently, so rays through the very edge of a hole, or of a triangle, may differ.
 TEST_F(Holes, EmbreeSeesThemButForRoundingAtTheirEdges) {
   for (const EmbreeRays going : {EmbreeRays::single, EmbreeRays::packets}) {
     const auto caster = make_embree_caster(scene, 1, going);
@@ -82,7 +82,7 @@ TEST_F(Holes, EmbreeSeesThemButForRoundingAtTheirEdges) {
       const Hit<double> truth = brute_force_hit(scene, in_double(rays[i]));
       disputed += hits[i].triangle != truth.triangle || (occluded[i] != 0) != truth.found();
     }
-    // Rays at vertices and along planes are a part of the set; without holes as many are disputed.
+    // The set has rays at vertices and along planes; without holes as many differ.
     Scene closed = scene;
     closed.textures = nullptr;
     const std::vector<Hit<float>> plain = closest(make_embree_caster(closed, 1, going));
@@ -132,7 +132,7 @@ void expect_true_shadows(const Scene& scene, ThreadPool& pool, size_t least_lit)
 
 TEST_F(Holes, LightBufferKnowsThemAsBruteForceInDouble) { expect_true_shadows(scene, pool, 1000); }
 
-// A ball with holes is no closed body: light that enters by one falls on the inside of the other half.
+// A ball with holes is not a closed body: light that enters by one falls on the inside of the other half.
 TEST_F(Holes, LightFallsIntoABodyThroughThem) {
   const Scene ball = with_random_holes(closed_sphere(24, 12), 3);
   const Sheets sheets = make_sheets(ball, build_topology(ball, pool), pool);

@@ -48,7 +48,7 @@ class KdCaster : public testing::TestWithParam<NamedScene> {
   std::vector<Ray<float>> rays = assorted_rays(scene(), 99, 6000);
 };
 
-// Not "nearly": a caster must give the very bits of asking every triangle, ties included.
+// Not just nearly: a caster must give the same bits as testing every triangle, ties included.
 TEST_P(KdCaster, EqualsBruteForceInFloat) {
   expect_brute_force(*make_kd_caster(tree, LeafKernel::scalar), scene(), rays);
 }

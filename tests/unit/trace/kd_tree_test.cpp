@@ -144,7 +144,7 @@ TEST(KdTree, MemoryStaysBoundedWhereCutsDoNotHelp) {
     EXPECT_LE(memory_bytes(build(scene)), 120 * scene.triangle_count());
 }
 
-// Along a diagonal the first cut never pays by itself.
+// Along a diagonal the first split never pays by itself.
 TEST(KdTree, DiagonalNeedlesAreDivided) {
   Scene scene;
   for (int i = 0; i < 1000; ++i) {

@@ -1,4 +1,4 @@
-// What a light buffer must bear: cameras in the middle of things, triangles without measure, lights along walls.
+// What a light buffer must withstand: cameras in the middle of things, huge triangles, lights along walls.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ uint8_t answer(const LightBuffer& buffer, const ShadowQuery& query) {
   return occluded;
 }
 
-/// No triangle goes on into another.
+/// Sheets in which no triangle continues another.
 Sheets loose(const Scene& scene) {
   return {std::vector<int8_t>(scene.triangle_count()), {scene.triangle_count(), uvec3(kNoTriangle)}};
 }
@@ -38,7 +38,7 @@ Scene top_in_a_box() {
 }
 
 TEST(LightBufferHazards, AnEyeBelowACornerOrOnASurfaceMayBeInside) {
-  // The ray up from the middle enters the pyramid by four triangles and leaves it, and the box, by two each.
+  // The ray up from the middle enters the pyramid by four triangles, and leaves it and the box by two each.
   const Scene scene = top_in_a_box();
   ThreadPool pool(1);
   const Topology topology = build_topology(scene, pool);
@@ -148,7 +148,7 @@ TEST(LightBufferHazards, ManyTrianglesThatEachLieOverAllOfTheSceneTakeLittleMemo
 }
 
 TEST(LightBufferHazards, AWallNearlyAlongTheLightIsLitAlikeByFramesAndByPass4) {
-  // Single precision takes the light for parallel to the wall; in double it shines on it.
+  // In single precision the light is parallel to the wall; in double it shines on it.
   Scene scene;
   add_triangle(scene, {-1, -1, -1}, {1, 1, -1}, {0, 0, 1});
   scene.normals = {glm::normalize(vec3(1, -1, 0))};

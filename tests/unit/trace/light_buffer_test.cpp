@@ -1,4 +1,4 @@
-// The light buffer against brute force in double precision: not one answer may differ.
+// The light buffer against brute force in double precision: no answer may differ.
 
 #include "core/trace/light_buffer.h"
 
@@ -52,7 +52,7 @@ class LightBufferTest : public testing::TestWithParam<NamedScene> {
     return queries;
   }
 
-  /// From anywhere in and around the scene.
+  /// Queries from anywhere in and around the scene.
   static std::vector<ShadowQuery> space_queries(const Scene& scene, const LightBuffer& buffer, uint32_t seed,
                                                 int count) {
     Random random(seed);
@@ -73,14 +73,14 @@ class LightBufferTest : public testing::TestWithParam<NamedScene> {
     return wrong;
   }
 
-  /// Every triangle is asked, but for the query's own: a plane does not shadow itself. (In a sliver a million
-  /// times as long as wide even double precision would find it in its own way.)
+  /// Tests every triangle but the query's own: a plane does not shadow itself. (In a sliver a million times as long as
+  /// wide even double precision would find it in its own way.)
   static bool truth(const Scene& scene, const dvec3& toward, const ShadowQuery& query) {
     return brute_force_occluder(scene, toward, query) != kNoTriangle;
   }
 
   ThreadPool pool_{2};
-  Sheets sheets_;  ///< of the last buffer
+  Sheets sheets_;  ///< the last buffer's
 };
 
 TEST_P(LightBufferTest, AnswersAsBruteForceInDouble) {
@@ -124,7 +124,7 @@ TEST_P(LightBufferTest, IsTheSameForAnyThreads) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, LightBufferTest, testing::ValuesIn(all_test_scenes()), test_name);
 
-// Closed bodies that touch the ground and one another, wires thinner than a cell, blades: what a frame asks.
+// Closed bodies that touch the ground and one another, wires thinner than a cell, blades: the queries of a frame.
 class LightBufferOnProcedural : public testing::TestWithParam<const char*> {};
 
 TEST_P(LightBufferOnProcedural, AnswersAsTheReferenceCaster) {

@@ -1,4 +1,4 @@
-// What a cell of the light buffer holds of a triangle, at points of the triangle.
+// What a cell of the light buffer knows about a triangle, checked at points of the triangle.
 
 #include "core/trace/light_cells.h"
 
@@ -10,14 +10,14 @@
 namespace hybridrt {
 namespace {
 
-constexpr int kCells = 4096;  // the most, where rounding weighs most
+constexpr int kCells = 4096;  // the most cells, where rounding matters most
 constexpr double kRounding = 0x1p-40;
 
 struct Numbers : Random {
   using Random::Random;
   double magnitude(double lo, double hi) { return lo * std::pow(hi / lo, double(unit())); }
   double sign() { return below(2) ? 1 : -1; }
-  /// A point off by what light space and grid coordinates round.
+  /// `p`, moved by the rounding of light space and grid coordinates.
   dvec3 rounded(const dvec3& p) { return p + kRounding * dvec3(between(-1, 1), between(-1, 1), 0); }
 };
 

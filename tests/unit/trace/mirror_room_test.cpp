@@ -80,9 +80,9 @@ class MirrorRoom : public testing::Test {
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(MirrorRoom, Reals);
 
-// The lamp at x = 1, seen from x = 2 toward +x in the mirror at 4, stands at 7 = 2 * 4 - 1; its image in the
-// mirror at 0, seen again in the mirror at 4, at 8 + 1 = 9, and so on: 15, 17, 23 …, each once a bounce
-// dimmer. Looking a little past the nearer images shows the farther ones.
+// The lamp at x = 1, seen from x = 2 toward +x in the mirror at 4, stands at 7 = 2 * 4 - 1; its image in the mirror at
+// 0, seen again in the mirror at 4, at 8 + 1 = 9, and so on: 15, 17, 23 …, each dimmer by one bounce. Looking a little
+// past the nearer images shows the farther ones.
 TYPED_TEST(MirrorRoom, ImagesStandWhereTheyMust) {
   struct Image {
     double x;
@@ -107,8 +107,8 @@ TYPED_TEST(MirrorRoom, DepthZeroFiresNoSecondaryRay) {
   EXPECT_EQ(seen.stats.pixels_hit, 256);
 }
 
-// Between perfect mirrors a ray ends at the depth asked for; between dim ones where its weight is less than
-// 1/1024: 2^-10 is not, 2^-11 is.
+// Between perfect mirrors a ray ends at the given depth; between dim ones where its weight is less than 1/1024: 2^-10
+// is not, 2^-11 is.
 TYPED_TEST(MirrorRoom, RaysEndAtTheirDepthOrWeight) {
   const Camera camera{{2, 20, 20}, {3, 20, 20}, {0, 1, 0}, 0.001};
   EXPECT_EQ(Traced<TypeParam>(TestFixture::facing_mirrors(1), camera, 1, 1, 64).stats.reflection_rays, 64);

@@ -57,7 +57,7 @@ class GlassBody {
  public:
   explicit GlassBody(Scene scene) : scene_(std::move(scene)) {}
 
-  /// Through every surface, or back where nothing passes; on as ray_generations.cpp goes.
+  /// Goes through every surface, or back where nothing passes, as ray_generations.cpp does.
   Path follow(const Ray<double>& start, int most_surfaces = 20) const {
     Path path{start};
     while (path.reflected + path.refracted < most_surfaces) {

@@ -1,4 +1,4 @@
-// The queue of RayGenerations, counted from outside: a caster that sees every batch taken from it.
+// The queue of RayGenerations, observed from outside by a caster that sees every batch.
 
 #include "core/trace/ray_generations.h"
 
@@ -13,7 +13,7 @@ namespace {
 constexpr int kTile_px = 32;
 constexpr int64_t kPrimary = kTile_px * kTile_px, kBatch = 4096;
 
-/// Panes across x, each of which sends all light on and all of it back: rays double with every generation.
+/// Panes across x, each of which transmits all light and reflects all of it: rays double with every generation.
 Scene doubling_panes(int panes) {
   Scene scene;
   Material pane;
@@ -31,7 +31,7 @@ Scene doubling_panes(int panes) {
   return scene;
 }
 
-/// Passes on what it is asked and notes how many rays were waiting each time.
+/// Forwards all queries and records how many rays were waiting each time.
 class CountingCaster : public RayCaster<float> {
  public:
   CountingCaster(const KdTree& tree, const TraceStats& stats)
@@ -85,7 +85,7 @@ TEST(RayQueue, StaysShortHoweverManyBranchesThereAre) {
   }
 }
 
-// Depth 0: glass and mirrors are seen, and nothing is sent on.
+// Depth 0: glass and mirrors are seen, but no further rays are fired.
 TEST(RayQueue, DepthZeroFiresNothing) {
   ThreadPool pool(1);
   const Scene scene = doubling_panes(4);

@@ -28,7 +28,7 @@ Surface<Real> floor_surface(bool from_outside = true) {
   return s;
 }
 
-/// Comes down at an angle to the normal.
+/// A direction that comes down at an angle to the normal.
 template <typename Real>
 Vec3<Real> coming_at(double sine) {
   return Vec3<Real>(dvec3(sine, -std::sqrt(1 - sine * sine), 0));
@@ -140,7 +140,7 @@ TYPED_TEST(Scatter, FresnelHoldsUpToGrazingAngles) {
     }
 }
 
-// Tf colours what passes, once a surface; what is reflected keeps its colour, inside too.
+// Tf colours what passes, once per surface; what is reflected keeps its colour, inside too.
 TYPED_TEST(Scatter, TfFiltersWhatPassesAndNothingElse) {
   using Real = TypeParam;
   Material green = glass(1.5f);

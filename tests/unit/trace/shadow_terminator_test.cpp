@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSize_px = 400, kPixels = kSize_px * kSize_px;
 
-/// The coarse ball with the normals of a true one.
+/// The coarse ball with the normals of a true ball.
 Scene coarse_ball() {
   Scene ball = closed_sphere(8, 4);
   ball.normals = ball.positions;
@@ -75,8 +75,8 @@ class ShadowTerminator : public testing::Test {
     TraceStats stats;
   };
 
-  /// A facet turned away is in shadow, any other one of a convex body in light, to the pixel; as many pixels
-  /// show it as the geometry says; and only those in light have asked a ray.
+  /// A facet turned away is in shadow, any other facet of a convex body is lit, to the pixel; as many pixels show it as
+  /// the geometry says; and only lit ones have asked a ray.
   void expect_convention(const Seen& seen, const View& view, const dvec3& toward) const {
     int faceted = 0, wrong = 0, lit = 0;
     for (int i = 0; i < kPixels; ++i) {

@@ -1,4 +1,4 @@
-// How triangles go on into one another, and what a light buffer's cells prove with it: certificates must be right
+// How triangles continue one another, and what a light buffer's cells answer by it: their answers must be right
 // wherever sheets end, fold, are wound both ways or lie on top of each other.
 
 #include "core/trace/sheets.h"
@@ -20,7 +20,7 @@ void finish(Scene& scene) {
   scene.bounds = compute_bounds(scene);
 }
 
-/// A rolling ground over [0, 1] x [0, 1], two triangles a square.
+/// A rolling ground over [0, 1] x [0, 1], two triangles per square.
 Scene ground(int squares, float height, float overhang = 0) {
   Scene scene;
   for (int j = 0; j <= squares; ++j)
@@ -39,7 +39,7 @@ Scene ground(int squares, float height, float overhang = 0) {
   return scene;
 }
 
-/// Calls body(random, triangle, triangles so far) for every triangle, which is dropped if that is false.
+/// Calls body(random, triangle, triangles so far) for every triangle and drops those for which it is false.
 template <typename Body>
 Scene edited(Scene scene, uint32_t seed, const Body& body) {
   Random random(seed);
@@ -105,7 +105,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-/// From points of triangles, on the side that faces the light.
+/// Queries from points of triangles, on the side that faces the light.
 std::vector<ShadowQuery> surface_queries(const Scene& scene, const dvec3& toward, Random& random, int count) {
   std::vector<ShadowQuery> queries;
   for (int i = 0; i < count; ++i) {
@@ -152,7 +152,7 @@ TEST(Sheets, CertificatesAreNeverWrong) {
         const bool says_shadow = answers[i] == CellAnswer::shadow;
         if (says_shadow == (occluded[i] != 0)) continue;
         wrong += says_shadow || brute_force_occluder(scene, toward, queries[i]) !=
-                                    kNoTriangle;  // or it was its own triangle's rounding
+                                    kNoTriangle;  // else it was its own triangle's rounding
       }
     }
     EXPECT_EQ(wrong, 0u);

@@ -40,7 +40,7 @@ dvec3 linear(uint32_t texel) {
 
 int wrapped(int i, int size, bool clamped) { return clamped ? std::clamp(i, 0, size - 1) : ((i % size) + size) % size; }
 
-/// Bilinear by the book.
+/// The textbook's bilinear filter.
 dvec3 bilinear(const TexelImage& image, double u, double v, bool clamped) {
   if (clamped) u = std::clamp(u, 0.0, 1.0), v = std::clamp(v, 0.0, 1.0);
   const double x = u * image.width_px - 0.5, y = (1 - v) * image.height_px - 0.5;
@@ -96,7 +96,7 @@ TEST(TextureLookup, OptionsOfTheStatement) {
   }
 }
 
-// Black and white by turns: each level but the finest is the average.
+// Alternately black and white: each level but the finest is the average.
 TEST(TextureLookup, LevelIsHalfTheLogarithmOfTheTexelsInAPixel) {
   constexpr int kSide_px = 16;
   TexelImage image{kSide_px, kSide_px, false, {}};
@@ -113,7 +113,7 @@ TEST(TextureLookup, LevelIsHalfTheLogarithmOfTheTexelsInAPixel) {
   EXPECT_NEAR(contrast(4), 0, 0.004) << "level 1, as near as 8 bits come";
   EXPECT_NEAR(contrast(1e30), 0, 0.004);
 
-  // A level is found by its colours: each of another grey.
+  // Each level is a different grey, which tells them apart.
   Texture coarse({4, 4, false, std::vector<uint32_t>(16, texel_of(0, 0, 0))});
   std::vector<uint32_t> words = coarse.scene.textures->words;
   const uint32_t first = words[coarse.record + HRT_TEXTURE_FIRST];

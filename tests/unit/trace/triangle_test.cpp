@@ -26,7 +26,7 @@ TEST(Triangle, GivesDistanceAndWeightsFromBothSides) {
   ASSERT_TRUE(hits<float>(vec3(1, 2, 5), vec3(0, 0, -1), a, b, c, hit));
   EXPECT_EQ(hit.t, 3);
   EXPECT_EQ(hit.v, 0.5f);
-  ASSERT_TRUE(hits<float>(vec3(1, 2, 5), vec3(0, 0, 1), a, b, c, hit));  // behind: the caller's business
+  ASSERT_TRUE(hits<float>(vec3(1, 2, 5), vec3(0, 0, 1), a, b, c, hit));  // behind: left to the caller
   EXPECT_EQ(hit.t, -3);
   EXPECT_FALSE(hits<float>(vec3(3, 2, 0), vec3(0, 0, 1), a, b, c));
 }
@@ -44,7 +44,7 @@ TEST(Triangle, IsNotSeenEdgeOn) {
   EXPECT_FALSE(hits<double>(vec3(0, 0, -1), vec3(0, 0, 1), vec3(0, 0, 0), vec3(0, 0, 1), vec3(0, 1, 0)));
 }
 
-// The edge passes the ray at 2^-26 of its length: products of floats round to a tie there.
+// The edge passes the ray at 2^-26 of its length, where products of floats round to a tie.
 TEST(Triangle, TellsTheSideOfAnEdgeWhereFloatsCannot) {
   const float e = 0x1p-13f;
   const vec3 b(1, 1 - e, 1), c(-1 - e, -1, 1);  // sheared products: (1 + e)(1 - e) against 1

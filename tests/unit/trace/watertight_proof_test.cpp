@@ -1,4 +1,4 @@
-// That no ray leaves a closed body, in double precision, by counting to ten million.
+// No ray leaves a closed body in double precision, tested with ten million rays.
 
 #include <atomic>
 #include <cstdlib>
@@ -60,8 +60,8 @@ std::vector<Inside> points_inside(const Scene& scene, const std::vector<uint32_t
   return found;
 }
 
-/// Rays from inside a body to its exact vertices, and to points of its edges as exact as double is; how many
-/// meet nothing, or another body, before they meet their own.
+/// Traces rays from inside a body to its exact vertices, and to points of its edges as exact as double allows; returns
+/// how many meet nothing, or another body, before they meet their own.
 int64_t count_leaks(const Scene& scene, int64_t count, ThreadPool& pool) {
   constexpr int64_t kBatch = 10000;
   const std::vector<uint32_t> body_of = components_of(scene);

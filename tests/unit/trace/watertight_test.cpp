@@ -114,8 +114,8 @@ TEST(Watertight, NoRayPassesBetweenTheTrianglesFromFarAway) {
   EXPECT_EQ(count_escapes(*make_kd_caster(tree, LeafKernel::simd), rays), 0);
 }
 
-// Embree 3.13.5 lets one ray in some 600 aimed exactly at a vertex through, robust flag or not; pinned here
-// so that nobody takes it for the truth.
+// Embree 3.13.5 lets through about one in 600 rays aimed exactly at a vertex, robust flag or not; recorded here so that
+// nobody takes it for the truth.
 TEST(Watertight, FewRaysEscapeFromEmbree) {
   const Scene scene = closed_sphere(64, 32);
   const auto rays = rays_at_edges<float>(scene, vec3(0), 0.3f, 50000);
