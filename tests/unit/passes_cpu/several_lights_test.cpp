@@ -111,7 +111,7 @@ TEST_F(SeveralLights, PassFourAsksWhereEachLightIsMarked) {
         });
 }
 
-TEST_F(SeveralLights, WhatIsSettledAndAnswered) {
+TEST_F(SeveralLights, WhatIsMarkedAndAnswered) {
   TraceStats stats;
   lit_in_frame(job_with({}, false), *caster_, stats);
   for (uint32_t seed = 7; seed <= 9; ++seed) {
