@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Proves `--shadows exact` through the whole program: every pixel against `--method reference`.
+"""Checks `--shadows exact` through the whole program: every pixel against `--method reference`.
 
 Writes docs/results/proof.md.
 

@@ -5,7 +5,7 @@
 
 namespace hybridrt {
 
-/// A fault of the program itself: something it promises does not hold. No user can mend it.
+/// A fault of the program itself: something it promises does not hold. No user can fix it.
 class CheckFailed : public std::logic_error {
   using std::logic_error::logic_error;
 };

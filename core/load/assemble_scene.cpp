@@ -177,7 +177,7 @@ void take_materials(LoadedMesh& loaded, Scene& scene, Warnings& warnings) {
 }
 
 /// Puts the default material first if it is used; else drops it and renumbers the others.
-void settle_default_material(Scene& scene) {
+void place_default_material(Scene& scene) {
   auto& indices = scene.triangle_materials;
   if (std::find(indices.begin(), indices.end(), kDefaultMaterial) != indices.end())
     scene.materials.insert(scene.materials.begin(), default_material());
@@ -248,7 +248,7 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
     first += static_cast<uint32_t>(own.size());
     loaded = {};
   }
-  settle_default_material(scene);
+  place_default_material(scene);
   if (keep_texcoords) load_textures(scene, std::move(textures), pool, warnings, watch);
   rebuild_missing_normals(scene, pool);
   scene.bounds = compute_bounds(scene);

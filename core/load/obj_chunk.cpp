@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 18> kIgnored = {
     "vw", "usemap", "maplib", "c_interp", "d_interp", "shadow_obj", "trace_obj", "t",  "end"};
 
 // What a user can do about a faulty line.
-constexpr const char* kMend = "fix that line or export the mesh again";
+constexpr const char* kFix = "fix that line or export the mesh again";
 
 /// Reads an optionally signed integer, which saturates far beyond the range of int. Null without digits.
 const char* scan_index(const char* p, const char* end, int64_t& index) {
@@ -81,7 +81,7 @@ class ChunkReader {
       const std::optional<double> number = parse_number(word);
       if (!number)
         fail("vertex {}: its {} coordinate {} is not a usable number; {}", vertices() + 1, "xyz"[axis], in_quotes(word),
-             kMend);
+             kFix);
       if (!(std::abs(*number) < kLargestCoordinate))
         fail("vertex {}: its {} coordinate is not below 1e30; scale the mesh", vertices() + 1, "xyz"[axis]);
       p[axis] = *number;
@@ -176,7 +176,7 @@ class ChunkReader {
     const auto count = static_cast<int64_t>(vertices());
     if (index == 0 || index < -count || index > std::numeric_limits<int32_t>::max())
       fail("face {}, corner {}: there is no vertex {} ({} so far, counted from 1); {}", face(), corners_.size() + 1,
-           in_quotes({start, static_cast<size_t>(p - start)}), count, kMend);
+           in_quotes({start, static_cast<size_t>(p - start)}), count, kFix);
     if (index > count && index > chunk_.farthest.index)
       chunk_.farthest = {static_cast<int32_t>(index), static_cast<uint32_t>(line())};
     ObjChunk::Corner corner{resolved(index, vertices()), kNoIndex, kNoIndex};
@@ -218,9 +218,9 @@ class ChunkReader {
     std::string_view rest(p, static_cast<size_t>(end - p));
     const std::string word = in_quotes(take_word(rest));
     if (p != end && *p == '/')
-      fail("face {}, corner {}: {} has no vertex index; {}", face(), corners_.size() + 1, word, kMend);
+      fail("face {}, corner {}: {} has no vertex index; {}", face(), corners_.size() + 1, word, kFix);
     fail("face {}, corner {}: {} is not of the form v, v/vt, v//vn or v/vt/vn; {}", face(), corners_.size() + 1, word,
-         kMend);
+         kFix);
   }
 
   const std::filesystem::path& path_;

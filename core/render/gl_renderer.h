@@ -21,7 +21,7 @@ namespace hybridrt {
 /// are the same. Must be used on the thread that the context is current on.
 class GlRenderer {
  public:
-  /// Every frame must have `light_count` lights. `caster` may be null if !needs_caster(). Everything handed in must
+  /// Every frame must have `light_count` lights. `caster` may be null if !needs_caster(). All arguments must
   /// outlive the renderer. Throws Error(device) when a size is over the device's limits.
   GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene, const SceneFacts& facts,
              const Topology& topology, const RenderSettings& settings, size_t light_count,

@@ -125,7 +125,7 @@ TEST_F(FileClaimsTest, NoTwoHoldTheSameFrames) {
   EXPECT_TRUE(folder_.names().empty());
 }
 
-TEST_F(FileClaimsTest, DevicesAreNobodys) {
+TEST_F(FileClaimsTest, DevicesNeedNoClaim) {
   FileClaims one, two;
   EXPECT_EQ(one.claim("/dev/null"), Answer::ours);
   EXPECT_EQ(two.claim("/dev/null"), Answer::ours);

@@ -122,7 +122,7 @@ std::vector<ShadowQuery> surface_queries(const Scene& scene, const dvec3& toward
   return queries;
 }
 
-TEST(Sheets, CertificatesAreNeverWrong) {
+TEST(Sheets, CellAnswersAreNeverWrong) {
   const dvec3 lights[] = {{0, 1, 0},      {1, 0, 0},       {0.3, 1, -0.2}, {-1, 0.1, 0.4},
                           {1, 0.01, 0.3}, {0.02, 1, 0.03}, {0.6, -1, 0.1}, {-1, 1, 1}};
   ThreadPool pool(2);
