@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
 #include "core/load/load_watch.h"
+#include "core/load/material_kinds.h"
 #include "core/load/mesh_data.h"
 #include "core/scene/scene.h"
 #include "core/scene/up_axis.h"
@@ -44,9 +45,11 @@ MeshFormat mesh_format_of(const std::filesystem::path& path);
 /// (assemble_scene). Large OBJs are read one after the other on all threads, the others side by side; warnings come in
 /// the meshes' order. Files whose z axis points up are turned so that y does.
 ///
+/// Materials that `kinds` names become what it says. Throws Error (input) for a name that no MTL file of them defines.
+///
 /// Throws Error (input) before reading any when together they would take more than watch.most_bytes of memory
 /// (loading_bytes.h).
 Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool, Warnings& warnings,
-                  const LoadWatch& watch = {});
+                  const LoadWatch& watch = {}, const MaterialKinds& kinds = {});
 
 }  // namespace hybridrt
