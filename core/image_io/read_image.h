@@ -22,7 +22,8 @@ Image read_image(const std::filesystem::path& path);
 Image read_image_linear(const std::filesystem::path& path);
 
 /// The same as 8-bit display codes, for textures; fits TexelReader. Files of floats are clamped to 0-1 and encoded as
-/// sRGB; grey becomes three equal colours, channels beyond four are left out. Takes four bytes a pixel. Over the given
+/// sRGB; grey becomes three equal colours, channels beyond four are left out. What
+/// a BMP or TGA file itself calls no alpha counts as opaque (unused_alpha.h). Takes four bytes a pixel. Over the given
 /// limits is too large as well.
 TexelImage read_texels(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
 
