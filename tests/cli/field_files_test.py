@@ -54,6 +54,16 @@ class OpacityTest(FieldCase):
             if name == "openmvs.obj":
                 self.assertEqual(rows, opaque)
 
+    def test_texture_alpha_unused(self):
+        folder, opaque = "texture_alpha_unused/", "1 textures have an alpha of 0 in every texel, which was taken as opaque"
+        bmp, png = self.told(folder + "x_t32_bmp.obj"), self.told(folder + "x_t_alpha0_png.obj", opaque)
+        for rows in (bmp, png):
+            self.assertGreater(len({tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}), 8, "a texture")
+        self.told(folder + "x_t_alphahalf_png.obj", "all its 12 triangles are invisible (its texture is all holes)")
+
+    def test_invisible_d0(self):
+        self.told("invisible_d0/m_d0.obj", "material 'm': all its 12 triangles are invisible (d 0)")
+
 
 if __name__ == "__main__":
     unittest.main()
