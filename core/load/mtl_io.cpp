@@ -57,10 +57,15 @@ std::optional<MapKind> map_kind(std::string_view statement) {
 struct Tallies {
   Tally unread_kinds, foreign_textures, missing_textures, foreign_colors, bad_ni, bad_illum;
   std::string first_missing;
-  NameList tr_ignored, illum_ignored;
+  NameList large_colors, tr_ignored, illum_ignored;
 };
 
+constexpr float kDefaultExponent = 30;  // of a Ks without Ns; 0 would be no highlight
+constexpr float kLargestColor = 1.5f;   // beyond, it is hardly meant as a share of the light
+
 struct Reading {
+  Reading() { material.ns = kDefaultExponent; }
+
   Material material;
   MtlOpacity opacity;
   bool has_ks = false, has_ke = false;
@@ -138,6 +143,8 @@ KindWish wish_for(const std::string& name, const MaterialKinds& kinds) {
 void finish_material(Reading& reading, const MaterialKinds& kinds, Tallies& tallies, std::vector<Material>& materials) {
   mark_maps_alone(reading);
   const std::string& name = reading.material.name;
+  const vec3 color = glm::max(reading.material.kd, reading.material.ks);
+  if (std::max({color.x, color.y, color.z}) > kLargestColor) tallies.large_colors.add(name);
   const OpacityNote note = settle_opacity(reading.material, reading.opacity, wish_for(name, kinds));
   if (note.illum_ignored)
     tallies.illum_ignored.add(name);
@@ -156,14 +163,15 @@ void report_tallies(const Tallies& tallies, const std::filesystem::path& path, W
   report(tallies.foreign_colors, "colours are given as spectral or xyz, which are not read", path, warnings);
   report(tallies.bad_ni, "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
   report(tallies.bad_illum, "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);
-  const auto told = [&](const NameList& names, const char* what) {
+  const auto told = [&](const NameList& names, const char* what, const char* to_do) {
     if (names.count() > 0)
-      warnings.push_back(
-          fmt::format("{}: {} materials {} ({}); name those that are glass under \"glass\" in a scene JSON",
-                      path.filename().string(), names.count(), what, names.text()));
+      warnings.push_back(fmt::format("{}: {} materials {} ({}); {}", path.filename().string(), names.count(), what,
+                                     names.text(), to_do));
   };
-  told(tallies.illum_ignored, "say illum 4 or 9 but have a colour and no Tf below 1, and are drawn opaque");
-  told(tallies.tr_ignored, "say Tr 1 and no d, and are drawn opaque");
+  told(tallies.large_colors, "have a Kd or Ks far above 1: colours of 0 to 255?", "divide them by 255");
+  const char* const name_glass = "name those that are glass under \"glass\" in a scene JSON";
+  told(tallies.illum_ignored, "say illum 4 or 9 but have a colour and no Tf below 1, and are drawn opaque", name_glass);
+  told(tallies.tr_ignored, "say Tr 1 and no d, and are drawn opaque", name_glass);
 }
 
 }  // namespace

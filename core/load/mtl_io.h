@@ -14,10 +14,11 @@ namespace hybridrt {
 Material default_material();
 
 /// Reads one MTL file and appends its materials, resolved, in the file's order. Colours linear.
-///  - Kd defaults to 0.8, Ks and Ke to 0, Ns 0, Ni 1, d 1, Tf 1 1 1, illum 2. One number after Kd, Ks, Ke
+///  - Kd defaults to 0.8, Ks and Ke to 0, Ns 30, Ni 1, d 1, Tf 1 1 1, illum 2. One number after Kd, Ks, Ke
 ///    or Tf means three equal ones. Ka is read and ignored.
 ///  - What d, Tr, Tf and illum say together about glass, and what `kinds` says instead: mtl_opacity.h. Materials whose
 ///    Tr or illum is not taken by its word are named in a warning.
+///  - A Kd or Ks above 1.5 is kept, with a warning that names the material: 0-255 colours, probably.
 ///  - Colours are clamped to >= 0, Ns to [0, 1e4], d to [0, 1]; Ni <= 0 becomes 1 and illum outside of
 ///    0-10 becomes 2, with a warning.
 ///  - map_Kd, map_Ks, map_Ke and map_d are kept by name, the last of a kind; no picture is read here. Those of

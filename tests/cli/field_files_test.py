@@ -65,5 +65,19 @@ class OpacityTest(FieldCase):
         self.told("invisible_d0/m_d0.obj", "material 'm': all its 12 triangles are invisible (d 0)")
 
 
+class HighlightTest(FieldCase):
+    def test_specular_ns0(self):
+        ns0 = self.told("specular_ns0/m_ns0.obj")
+        self.assertEqual(ns0, self.plain("specular_ns0/m_ns0.obj", "m_ns0.mtl", "newmtl m\nKd .5 .1 .1\n"))
+        table = self.told("specular_ns0/r_bullet_table.obj")
+        self.assertEqual(table, self.plain("specular_ns0/r_bullet_table.obj", "r_bullet_table.mtl",
+                                           "newmtl m\nKd .8 .8 .8\nmap_Kd tex4.png\n"))
+        usual = "newmtl m\nKd .5 .1 .1\nKs 1 1 1\nNs 30\n"
+        self.assertEqual(self.told("specular_ns0/m_nons.obj"), self.plain("specular_ns0/m_nons.obj", "m_nons.mtl", usual))
+
+    def test_mtl_kd255(self):
+        self.told("mtl_kd255/m_kd255.obj", "1 materials have a Kd or Ks far above 1: colours of 0 to 255? ('m')")
+
+
 if __name__ == "__main__":
     unittest.main()
