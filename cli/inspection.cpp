@@ -129,7 +129,7 @@ std::string_view kind_of(const Material& m) {
   const bool glass = m.illum == 4 || m.illum == 6 || m.illum == 7 || m.illum == 9;
   if (m.transmissive()) return glass ? "glass" : "see-through";
   if (m.reflective()) return "mirror";
-  return m.ks != vec3(0) ? "highlight" : "matte";
+  return m.ks != vec3(0) && m.ns > 0 ? "highlight" : "matte";
 }
 
 std::vector<uint32_t> largest_components(const Topology& topology, size_t most) {

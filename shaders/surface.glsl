@@ -32,11 +32,12 @@ HRT_FN Vec3 normalized_or(Vec3 v, Vec3 otherwise) {
 HRT_FN Vec3 phong_unlit(Vec3 kd, Vec3 ke, Real opacity, Vec3 ambient) { return ke + opacity * ambient * kd; }
 
 // What one directional light that arrives adds to it, by Blinn and Phong, with the paper's half vector (pass 5).
-// `normal`, `to_eye` and `to_light` must be unit.
+// `normal`, `to_eye` and `to_light` must be unit. Without an exponent there is no highlight: to the power of 0 it would be
+// everywhere.
 HRT_FN Vec3 phong_light(Vec3 kd, Vec3 ks, Real ns, Real opacity, Vec3 normal, Vec3 to_eye, Vec3 to_light, Vec3 light) {
   Real cos_light = dot(normal, to_light);
   if (cos_light <= Real(0)) return Vec3(Real(0));
   Vec3 halfway = normalized_or(to_light + to_eye, normal);
-  Real highlight = ns > Real(0) ? pow(max(dot(normal, halfway), Real(0)), ns) : Real(1);
+  Real highlight = ns > Real(0) ? pow(max(dot(normal, halfway), Real(0)), ns) : Real(0);
   return light * (opacity * cos_light * kd + highlight * ks);
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace hybridrt {
@@ -22,6 +23,19 @@ struct Tally {
     if (count == 0 || line < first_line) first_line = line;
     count += cases;
   }
+};
+
+/// Names of cases of one kind of fault, each kept once.
+class NameList {
+ public:
+  void add(std::string_view name);
+  size_t count() const { return known_.size(); }
+  /// The first ones in quotes, in their order: "'a', 'b' and 14 more".
+  std::string text() const;
+
+ private:
+  std::unordered_set<std::string> known_;
+  std::vector<std::string> first_;
 };
 
 /// "sports.obj: 57 triangles of zero area were left out (first at line 1234)", unless there were none.

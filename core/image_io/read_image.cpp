@@ -13,6 +13,7 @@
 #include "core/image/srgb.h"
 #include "core/image_io/oiio_setup.h"
 #include "core/image_io/png_check.h"
+#include "core/image_io/unused_alpha.h"
 
 namespace hybridrt {
 namespace fs = std::filesystem;
@@ -130,7 +131,7 @@ TexelImage read_codes(const fs::path& path, OIIO::ImageInput& input) {
   const bool floats = spec.format.is_floating_point();
   TexelImage image;
   image.width_px = spec.width, image.height_px = spec.height;
-  image.has_alpha = alpha_channel(channels) >= 0;
+  image.has_alpha = alpha_channel(channels) >= 0 && !says_alpha_is_unused(path, input.format_name());
   image.texels.reserve(static_cast<size_t>(spec.width) * spec.height);
   const int strip = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : 64;
   Image linear;
@@ -150,7 +151,8 @@ TexelImage read_codes(const fs::path& path, OIIO::ImageInput& input) {
       throw error(ErrorKind::input, "{}: broken image, row {} and on: {}; write or copy it again", path.string(), y,
                   one_line(input.geterror()));
     if (floats) codes = srgb8_from_linear(linear);
-    for (size_t i = 0; i < values; i += channels) image.texels.push_back(texel_of(&codes[i], channels));
+    const uint32_t opaque = image.has_alpha ? 0 : 0xFF000000u;
+    for (size_t i = 0; i < values; i += channels) image.texels.push_back(texel_of(&codes[i], channels) | opaque);
   }
   return image;
 }

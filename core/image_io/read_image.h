@@ -18,8 +18,8 @@ inline constexpr double kMaxImagePixels = 1 << 30;
 Image read_image(const std::filesystem::path& path);
 
 /// The same as 8-bit display codes, for textures; a TexelReader. Float files are clamped to 0-1 and encoded as sRGB;
-/// grey becomes three equal colours; channels beyond four are left out. Takes four bytes per pixel. Also throws over
-/// the given limits.
+/// grey becomes three equal colours; channels beyond four are left out. Alpha that a BMP or TGA file itself calls
+/// unused counts as opaque (unused_alpha.h). Takes four bytes per pixel. Also throws over the given limits.
 TexelImage read_texels(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
 
 }  // namespace hybridrt

@@ -8,6 +8,7 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/base/warnings.h"
+#include "core/load/invisible.h"
 #include "core/load/load_textures.h"
 #include "core/load/mtl_io.h"
 #include "core/load/text_scan.h"
@@ -250,6 +251,7 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
   }
   place_default_material(scene);
   if (keep_texcoords) load_textures(scene, std::move(textures), pool, warnings, watch);
+  report_invisible(scene, warnings);
   rebuild_missing_normals(scene, pool);
   scene.bounds = compute_bounds(scene);
   validate(scene);

@@ -25,6 +25,7 @@ struct LoadedMesh {
 ///  - Usable normals are kept in their order; the other corners get smooth ones (normals.h).
 ///  - Each mesh's materials follow one another; "default" comes first if any triangle names no material or an
 ///    unknown one, the latter with a warning.
+///  - Materials that cannot be seen are told of (invisible.h).
 ///  - Textures are read by watch.read_texels (load_textures.h). Texture coordinates are kept only for them.
 /// Throws Error (input) for a mesh without a usable face and for a scene too large or small for single precision.
 Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings& warnings, const LoadWatch& watch = {});

@@ -29,6 +29,7 @@ struct TextureImage {
   int width_px = 0, height_px = 0, levels = 1;
   std::vector<uint32_t> texels;  ///< all levels, one after the other
   bool has_holes = false;        ///< some alpha is under one half
+  bool alpha_is_zero = false;    ///< in every texel of the file: it counts as opaque
   uint32_t first = 0;            ///< its index in the words
   bool missing = false;          ///< replaced by a checker, except for map_d
   std::string failure;           ///< why, unless the MTL reader has already said so
@@ -76,8 +77,17 @@ TexelImage checker() {
   return image;
 }
 
+/// An alpha of 0 in every texel is a channel that nobody filled in.
+bool drop_zero_alpha(TexelImage& image) {
+  if (std::any_of(image.texels.begin(), image.texels.end(), [](uint32_t texel) { return texel >> 24 != 0; }))
+    return false;
+  for (uint32_t& texel : image.texels) texel |= 0xFF000000u;
+  return true;
+}
+
 void prepare(TextureImage& image, TexelImage&& read) {
   const TextureMap& map = *image.map;
+  image.alpha_is_zero = drop_zero_alpha(read);
   image.width_px = read.width_px, image.height_px = read.height_px;
   if (map.kind == MapKind::holes)
     make_opacity(read, map);
@@ -145,6 +155,9 @@ class Loader {
       warnings_.push_back(
           fmt::format("{} textures cannot be used: map_Kd becomes a checker, others are left out (first: {})",
                       unreadable_, first_failure_));
+    if (zero_alpha_.count() > 0)
+      warnings_.push_back(fmt::format("{} textures have an alpha of 0 in every texel, which was taken as opaque ({})",
+                                      zero_alpha_.count(), zero_alpha_.text()));
   }
 
   void read(TextureImage& image, uint64_t most_texels) const {
@@ -166,6 +179,7 @@ class Loader {
       image.missing = true;
       if (unreadable_++ == 0) first_failure_ = image.failure;
     }
+    if (image.alpha_is_zero) zero_alpha_.add(image.map->path.filename().string());
     if (image.missing) {
       if (image.map->kind == MapKind::holes) return;
       prepare(image, checker());
@@ -263,6 +277,7 @@ class Loader {
   std::map<uint32_t, bool> any_read_;  ///< per set of maps: some image is not missing
   bool any_ = false;                   ///< some material has a texture
   size_t unreadable_ = 0;
+  NameList zero_alpha_;
   std::string first_failure_;
 };
 

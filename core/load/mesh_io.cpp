@@ -1,6 +1,7 @@
 #include "core/load/mesh_io.h"
 
 #include <exception>
+#include <unordered_set>
 
 #include "core/base/check.h"
 #include "core/base/error.h"
@@ -39,10 +40,25 @@ void turn(MeshData& mesh, UpAxis up) {
   for (vec3& n : mesh.normals) n = y_up_from_files(up, n);
 }
 
+/// Refuses names that mean no material.
+void require_known(const MaterialKinds& kinds, const std::vector<LoadedMesh>& meshes) {
+  std::unordered_set<std::string_view> known;
+  for (const LoadedMesh& mesh : meshes)
+    for (const Material& material : mesh.library) known.insert(material.name);
+  const auto check = [&](const char* key, const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      if (!known.contains(name))
+        throw error(ErrorKind::input, "{}: {}: no MTL file of its meshes defines the material {}; check the name",
+                    kinds.where, key, in_quotes(name));
+  };
+  check("glass", kinds.glass);
+  check("opaque", kinds.opaque);
+}
+
 }  // namespace
 
 Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool, Warnings& warnings,
-                  const LoadWatch& watch) {
+                  const LoadWatch& watch, const MaterialKinds& kinds) {
   HRT_CHECK(!paths.empty());
   uint64_t memory_bytes = 0;
   for (const std::filesystem::path& path : paths) {
@@ -59,7 +75,8 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
     try {
       LoadedMesh& mesh = meshes[i];
       mesh.data = read_mesh(paths[i], own_pool, own_warnings[i], watch.progress);
-      mesh.library = read_libraries(paths[i].parent_path(), mesh.data.libraries, mesh.library_files, own_warnings[i]);
+      mesh.library =
+          read_libraries(paths[i].parent_path(), mesh.data.libraries, mesh.library_files, own_warnings[i], kinds);
       turn(mesh.data, up);
     } catch (...) {
       failures[i] = std::current_exception();
@@ -77,6 +94,7 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
   });
   for (const std::exception_ptr& failure : failures)  // that of the first file, not of the first thread
     if (failure) std::rethrow_exception(failure);
+  require_known(kinds, meshes);
   for (const Warnings& own : own_warnings) warnings.insert(warnings.end(), own.begin(), own.end());
   return assemble_scene(std::move(meshes), pool, warnings, watch);
 }

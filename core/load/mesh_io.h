@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
 #include "core/load/load_watch.h"
+#include "core/load/material_kinds.h"
 #include "core/scene/scene.h"
 #include "core/scene/up_axis.h"
 
@@ -18,6 +19,6 @@ namespace hybridrt {
 /// Throws Error (input) before reading any if together they would take more than watch.most_bytes of memory
 /// (loading_bytes.h).
 Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool, Warnings& warnings,
-                  const LoadWatch& watch = {});
+                  const LoadWatch& watch = {}, const MaterialKinds& kinds = {});
 
 }  // namespace hybridrt

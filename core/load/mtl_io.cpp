@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/warnings.h"
+#include "core/load/mtl_opacity.h"
 #include "core/load/text_lines.h"
 #include "core/load/text_scan.h"
 #include "core/load/texture_name.h"
@@ -56,12 +57,18 @@ std::optional<MapKind> map_kind(std::string_view statement) {
 struct Tallies {
   Tally unread_kinds, foreign_textures, missing_textures, foreign_colors, bad_ni, bad_illum;
   std::string first_missing;
+  NameList large_colors, tr_ignored, illum_ignored;
 };
 
+constexpr float kDefaultExponent = 30;  // of a Ks without Ns; 0 would be no highlight
+constexpr float kLargestColor = 1.5f;   // beyond, it is hardly meant as a share of the light
+
 struct Reading {
+  Reading() { material.ns = kDefaultExponent; }
+
   Material material;
-  float dissolve = -1, transparency = -1;  ///< d and Tr as given; -1: not given
-  bool has_kd = false, has_ks = false, has_ke = false;
+  MtlOpacity opacity;
+  bool has_ks = false, has_ke = false;
 };
 
 /// Keeps the texture; counts what is wrong with its name.
@@ -88,12 +95,14 @@ void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
   Material& m = reading.material;
   const size_t line = s.lines.line_number();
   const auto color = [&](vec3& to) {
-    if (!take_color(s, to)) tallies.foreign_colors.add(line);
+    const bool read = take_color(s, to);
+    if (!read) tallies.foreign_colors.add(line);
+    return read;
   };
-  if (s.name == "Kd") return reading.has_kd = true, color(m.kd);
-  if (s.name == "Ks") return reading.has_ks = true, color(m.ks);
-  if (s.name == "Ke") return reading.has_ke = true, color(m.ke);
-  if (s.name == "Tf") return color(m.tf);
+  if (s.name == "Kd") return reading.opacity.has_kd = true, void(color(m.kd));
+  if (s.name == "Ks") return reading.has_ks = true, void(color(m.ks));
+  if (s.name == "Ke") return reading.has_ke = true, void(color(m.ke));
+  if (s.name == "Tf") return void(reading.opacity.filters = !color(m.tf) || m.tf != vec3(1));
   if (s.name == "Ns") {
     m.ns = std::clamp(take_number(s), 0.f, 1e4f);
   } else if (s.name == "Ni") {
@@ -102,9 +111,9 @@ void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
   } else if (s.name == "d") {
     std::string_view peek = s.rest;
     if (take_word(peek) == "-halo") s.rest = peek;  // -halo fades with the angle; we take the plain factor
-    reading.dissolve = std::clamp(take_number(s), 0.f, 1.f);
+    reading.opacity.dissolve = std::clamp(take_number(s), 0.f, 1.f);
   } else if (s.name == "Tr") {
-    reading.transparency = std::clamp(take_number(s), 0.f, 1.f);
+    reading.opacity.transparency = std::clamp(take_number(s), 0.f, 1.f);
   } else if (s.name == "illum") {
     const float model = take_number(s);
     const bool known = model >= 0 && model <= 10 && model == std::floor(model);
@@ -119,20 +128,51 @@ void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
 /// nothing.
 void mark_maps_alone(Reading& reading) {
   for (TextureMap& map : reading.material.maps) {
-    if (map.kind == MapKind::diffuse) map.alone = !reading.has_kd || reading.material.kd == vec3(0);
+    if (map.kind == MapKind::diffuse) map.alone = !reading.opacity.has_kd || reading.material.kd == vec3(0);
     if (map.kind == MapKind::specular) map.alone = !reading.has_ks;
     if (map.kind == MapKind::emitted) map.alone = !reading.has_ke;
   }
 }
 
-void finish_material(Reading& reading, std::vector<Material>& materials) {
+KindWish wish_for(const std::string& name, const MaterialKinds& kinds) {
+  const auto has = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return has(kinds.glass) ? KindWish::glass : has(kinds.opaque) ? KindWish::opaque : KindWish::none;
+}
+
+void finish_material(Reading& reading, const MaterialKinds& kinds, Tallies& tallies, std::vector<Material>& materials) {
   mark_maps_alone(reading);
-  if (reading.dissolve >= 0)
-    reading.material.opacity = reading.dissolve;
-  else if (reading.transparency >= 0)
-    reading.material.opacity = 1 - reading.transparency;
+  const std::string& name = reading.material.name;
+  const vec3 color = glm::max(reading.material.kd, reading.material.ks);
+  if (std::max({color.x, color.y, color.z}) > kLargestColor) tallies.large_colors.add(name);
+  const OpacityNote note = settle_opacity(reading.material, reading.opacity, wish_for(name, kinds));
+  if (note.illum_ignored)
+    tallies.illum_ignored.add(name);
+  else if (note.tr_ignored)
+    tallies.tr_ignored.add(name);
   resolve_material(reading.material);
   materials.push_back(std::move(reading.material));
+}
+
+void report_tallies(const Tallies& tallies, const std::filesystem::path& path, Warnings& warnings) {
+  report(tallies.unread_kinds, "texture maps (bump, disp and others) are not read yet", path, warnings);
+  report(tallies.foreign_textures, "texture names lead to other folders; only files beside the MTL are looked for",
+         path, warnings);
+  report(tallies.missing_textures, fmt::format("texture files are missing ({})", in_quotes(tallies.first_missing)),
+         path, warnings);
+  report(tallies.foreign_colors, "colours are given as spectral or xyz, which are not read", path, warnings);
+  report(tallies.bad_ni, "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
+  report(tallies.bad_illum, "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);
+  const auto told = [&](const NameList& names, const char* what, const char* to_do) {
+    if (names.count() > 0)
+      warnings.push_back(fmt::format("{}: {} materials {} ({}); {}", path.filename().string(), names.count(), what,
+                                     names.text(), to_do));
+  };
+  told(tallies.large_colors, "have a Kd or Ks far above 1: colours of 0 to 255?", "divide them by 255");
+  const char* const name_glass = "name those that are glass under \"glass\" in a scene JSON";
+  told(tallies.illum_ignored, "say illum 4 or 9 but have a colour and no Tf below 1, and are drawn opaque", name_glass);
+  told(tallies.tr_ignored, "say Tr 1 and no d, and are drawn opaque", name_glass);
 }
 
 }  // namespace
@@ -144,7 +184,8 @@ Material default_material() {
   return material;
 }
 
-void read_mtl(const std::filesystem::path& path, std::vector<Material>& materials, Warnings& warnings) {
+void read_mtl(const std::filesystem::path& path, std::vector<Material>& materials, Warnings& warnings,
+              const MaterialKinds& kinds) {
   TextLines lines(path, LineJoin::none);
   Tallies tallies;
   Reading reading;
@@ -154,7 +195,7 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
     s.name = take_word(s.rest);
     if (s.name.empty() || s.name.starts_with('#')) continue;
     if (s.name == "newmtl") {
-      if (inside) finish_material(reading, materials);
+      if (inside) finish_material(reading, kinds, tallies, materials);
       inside = true;
       reading = {};
       reading.material.name = trimmed(s.rest);
@@ -162,16 +203,8 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
       read_statement(s, reading, tallies);
     }
   }
-  if (inside) finish_material(reading, materials);
-
-  report(tallies.unread_kinds, "texture maps (bump, disp and others) are not read yet", path, warnings);
-  report(tallies.foreign_textures, "texture names lead to other folders; only files beside the MTL are looked for",
-         path, warnings);
-  report(tallies.missing_textures, fmt::format("texture files are missing ({})", in_quotes(tallies.first_missing)),
-         path, warnings);
-  report(tallies.foreign_colors, "colours are given as spectral or xyz, which are not read", path, warnings);
-  report(tallies.bad_ni, "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
-  report(tallies.bad_illum, "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);
+  if (inside) finish_material(reading, kinds, tallies, materials);
+  report_tallies(tallies, path, warnings);
 }
 
 }  // namespace hybridrt

@@ -53,7 +53,7 @@ void find_libraries(const fs::path& folder, std::string_view line, std::vector<f
 }  // namespace
 
 std::vector<Material> read_libraries(const fs::path& folder, const std::vector<std::string>& libraries,
-                                     std::vector<std::string>& files, Warnings& warnings) {
+                                     std::vector<std::string>& files, Warnings& warnings, const MaterialKinds& kinds) {
   std::vector<fs::path> found;
   std::vector<std::string> missing;
   std::unordered_set<std::string> lines;  // exporters repeat the line before every object
@@ -64,7 +64,7 @@ std::vector<Material> read_libraries(const fs::path& folder, const std::vector<s
   std::unordered_set<std::string> read;
   for (const fs::path& path : found) {
     if (!read.insert(path.string()).second) continue;
-    read_mtl(path, materials, warnings);
+    read_mtl(path, materials, warnings, kinds);
     files.push_back(path.string());
   }
   if (!missing.empty())

@@ -1,5 +1,7 @@
 #include "core/load/scene_file.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/warnings.h"
 #include "core/load/camera_json.h"
@@ -14,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void require_known_keys(const JsonPlace& scene) {
-  scene.only({"meshes", "up_axis", "camera", "camera_path", "lights", "ambient", "background", "settings"});
+  scene.only(
+      {"meshes", "up_axis", "camera", "camera_path", "lights", "ambient", "background", "glass", "opaque", "settings"});
 }
 
 fs::path beside(const fs::path& file, const std::string& name) {
@@ -37,6 +40,23 @@ UpAxis parse_up_axis(const JsonPlace& place) {
   const std::optional<UpAxis> axis = value_in(kUpAxes, name);
   if (!axis) place.fail(fmt::format("{} is not known; one of {}", in_quotes(name), names_in(kUpAxes)));
   return *axis;
+}
+
+std::vector<std::string> parse_names(const JsonPlace& place) {
+  std::vector<std::string> names;
+  for (size_t i = 0; i < place.size(); ++i) names.push_back(place[i].text());
+  return names;
+}
+
+MaterialKinds parse_kinds(const JsonPlace& scene) {
+  MaterialKinds kinds;
+  kinds.where = scene.where();
+  if (const auto glass = scene.find("glass")) kinds.glass = parse_names(*glass);
+  if (const auto opaque = scene.find("opaque")) kinds.opaque = parse_names(*opaque);
+  for (size_t i = 0; i < kinds.opaque.size(); ++i)
+    if (std::find(kinds.glass.begin(), kinds.glass.end(), kinds.opaque[i]) != kinds.glass.end())
+      scene.at("opaque")[i].fail(fmt::format("{} is among 'glass' too; give one", in_quotes(kinds.opaque[i])));
+  return kinds;
 }
 
 /// A linear colour: three numbers, or one for three equal ones.
@@ -94,6 +114,7 @@ SceneSource read_scene_file(const fs::path& path) {
   require_known_keys(scene);
   result.meshes = parse_meshes(scene.at("meshes"), path);
   if (const auto up = scene.find("up_axis")) result.up_axis = parse_up_axis(*up);
+  result.kinds = parse_kinds(scene);
   if (const auto lights = scene.find("lights")) result.lights = parse_lights(*lights);
   if (const auto ambient = scene.find("ambient")) result.ambient = parse_color(*ambient);
   if (const auto background = scene.find("background")) result.background = parse_color(*background);

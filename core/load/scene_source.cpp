@@ -92,7 +92,7 @@ std::optional<CameraCourse> camera_of(const SceneSource& source, UpAxis up, Warn
 Scene load_scene(const SceneSource& source, std::optional<UpAxis> up_axis, ThreadPool& pool, Warnings& warnings,
                  const LoadWatch& watch) {
   const UpAxis up = up_axis ? *up_axis : source.up_axis.value_or(UpAxis::y);
-  if (!source.procedural) return load_meshes(source.meshes, up, pool, warnings, watch);
+  if (!source.procedural) return load_meshes(source.meshes, up, pool, warnings, watch, source.kinds);
   if (up != UpAxis::y) throw error(ErrorKind::usage, "{}: its y axis points up; leave --up-axis out", source.argument);
   const ProceduralScene& scene = *source.procedural;
   const int64_t triangles =

@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/base/warnings.h"
 #include "core/load/load_watch.h"
+#include "core/load/material_kinds.h"
 #include "core/procedural/procedural.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene.h"
@@ -27,6 +28,7 @@ struct SceneSource {
   ProceduralOptions procedural_options;
   std::vector<std::filesystem::path> meshes;  ///< at least one, or procedural
 
+  MaterialKinds kinds;  ///< of the meshes' materials
   std::optional<UpAxis> up_axis;
   std::optional<std::vector<DirectionalLight>> lights;  ///< `toward` unit, at most HRT_MAX_LIGHTS; may be none
   std::optional<vec3> ambient, background;

@@ -23,7 +23,7 @@ struct Material {
   vec3 kd{0.8f};      ///< diffuse
   vec3 ks{0};         ///< specular
   vec3 ke{0};         ///< emitted
-  float ns = 0;       ///< Blinn-Phong exponent
+  float ns = 0;       ///< Blinn-Phong exponent; 0: no highlight, whatever ks is
   float ni = 1;       ///< index of refraction, > 0
   float opacity = 1;  ///< MTL d: 1 opaque, 0 clear
   vec3 tf{1};         ///< transmission filter

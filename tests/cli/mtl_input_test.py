@@ -84,7 +84,7 @@ class NumbersTest(MtlCase):
 
     def test_clamped(self):
         for ni in ("0", "-1.5"):
-            self.write("odd.mtl", RED + f"illum 4\nNi {ni}\n" + BLUE + f"Ni {ni}\n")
+            self.write("odd.mtl", RED + f"illum 4\nTf .9 .9 .9\nNi {ni}\n" + BLUE + f"Ni {ni}\n")
             self.warn(self.panels(["odd.mtl"]),
                       "odd.mtl: 2 indices of refraction (Ni) are not above 0 and were set to 1")
             self.assertEqual([m["ni"] for m in self.report("panels.obj")["materials"]], [1, 1])

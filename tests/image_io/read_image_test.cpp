@@ -132,6 +132,49 @@ TEST(ReadTexels, GreyAndAlpha) {
   EXPECT_EQ(read_texels(EncodedFile(Image(1, 1, 1, 1.0f), "png").path, 10, 10).texels[0], 0xFFFFFFFFu);
 }
 
+/// One row of pixels, blue first; `masks` where `compression` wants some.
+std::string bmp_of(uint32_t header_bytes, uint32_t compression, std::vector<uint32_t> masks,
+                   const std::string& pixels) {
+  std::string bytes = "BM";
+  const auto add = [&](uint32_t value, int count) {
+    for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> 8 * i & 255);
+  };
+  const auto begin = 14 + std::max(header_bytes, 40 + 4 * static_cast<uint32_t>(masks.size()));
+  add(begin + static_cast<uint32_t>(pixels.size()), 4), add(0, 4), add(begin, 4);
+  add(header_bytes, 4), add(static_cast<uint32_t>(pixels.size() / 4), 4), add(1, 4), add(1, 2), add(32, 2);
+  add(compression, 4), add(static_cast<uint32_t>(pixels.size()), 4);
+  for (int i = 0; i < 4; ++i) add(0, 4);
+  for (uint32_t mask : masks) add(mask, 4);
+  bytes.resize(begin);
+  return bytes + pixels;
+}
+
+std::string tga_of(char alpha_bits, const std::string& pixels) {
+  std::string bytes(18, '\0');
+  bytes[2] = 2, bytes[12] = static_cast<char>(pixels.size() / 4), bytes[14] = 1, bytes[16] = 32, bytes[17] = alpha_bits;
+  return bytes + pixels;
+}
+
+TEST(ReadTexels, AlphaThatTheFormatCallsUnusedIsOpaque) {
+  const std::string pixels("\x10\x20\x30\x00\x40\x50\x60\x80", 8);
+  const std::vector<uint32_t> opaque = {0xFF102030u, 0xFF405060u};
+  for (const std::string& bytes :
+       {bmp_of(40, 0, {}, pixels), bmp_of(108, 0, {0xFF0000, 0xFF00, 0xFF, 0xFF000000}, pixels)}) {
+    const TexelImage texels = read_texels(EncodedFile(bytes, "bmp").path, 10, 10);
+    EXPECT_FALSE(texels.has_alpha);
+    EXPECT_EQ(texels.texels, opaque);
+  }
+  EXPECT_EQ(read_texels(EncodedFile(tga_of(0, pixels), "tga").path, 10, 10).texels, opaque);
+  const TexelImage used = read_texels(EncodedFile(tga_of(8, pixels), "tga").path, 10, 10);
+  EXPECT_TRUE(used.has_alpha);
+  EXPECT_EQ(used.texels, (std::vector<uint32_t>{0x00102030u, 0x80405060u}));
+
+  const std::string extension = std::string(494, '\0') + std::string(1, '\2');
+  const std::string footer = std::string("\x1A\0\0\0\0\0\0\0", 8) + "TRUEVISION-XFILE." + std::string(1, '\0');
+  const TexelImage undefined = read_texels(EncodedFile(tga_of(8, pixels) + extension + footer, "tga").path, 10, 10);
+  EXPECT_EQ(undefined.texels[0], 0xFF102030u) << "the extension calls it undefined";
+}
+
 TEST(ReadTexels, RefusesWhatIsTooLargeBeforeItIsRead) {
   const EncodedFile huge(bmp_header(65000, 16000), "bmp");
   EXPECT_THROW(read_texels(huge.path, 16384, uint64_t{1} << 40), Error);

@@ -20,6 +20,12 @@ TexelImage pattern_named(const std::filesystem::path& path, int largest_side_px,
   };
   if (name.starts_with("noise")) {
     fill(12, 7, [&](int, int) { return texel_of(random.below(256), random.below(256), random.below(256)); });
+  } else if (name.starts_with("blank") || name.starts_with("faint")) {
+    image.has_alpha = true;
+    const uint32_t alpha = name.starts_with("blank") ? 0 : 100;
+    fill(12, 7, [&](int, int) { return texel_of(random.below(256), random.below(256), random.below(256), alpha); });
+  } else if (name.starts_with("black")) {
+    fill(8, 8, [&](int, int) { return texel_of(30, 30, 30); });
   } else if (name.starts_with("leaf")) {
     image.has_alpha = true;
     fill(32, 32, [&](int x, int y) {

@@ -10,7 +10,8 @@ inline uint32_t texel_of(uint32_t red, uint32_t green, uint32_t blue, uint32_t a
 }
 
 /// Pictures without files, by the beginning of a file's name: "noise" 12 x 7 opaque texels of random colour, "leaf"
-/// 32 x 32 with round holes, "mask" 8 x 8 in grey, dark and bright by turns, "torn" refuses.
+/// 32 x 32 with round holes, "mask" 8 x 8 in grey, dark and bright by turns, "black" the same all dark, "blank" noise
+/// with alpha 0 throughout, "faint" with 100, "torn" refuses.
 TexelImage pattern_named(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
 
 /// `image` as the only texture (map_Kd) of a scene of one triangle, (0,0,0) (1,0,0) (0,1,0), whose texture coordinates

@@ -22,7 +22,9 @@ struct LoadTextures : testing::Test {
   std::atomic<int> reads = 0;
 
   LoadTextures() {
-    for (const char* name : {"noise.png", "noise2.png", "leaf.png", "mask.png", "torn.png"}) folder.write(name, "x");
+    for (const char* name :
+         {"noise.png", "noise2.png", "leaf.png", "mask.png", "torn.png", "blank.png", "faint.png", "black.png"})
+      folder.write(name, "x");
   }
   Scene load(const string& mtl, const string& faces, LoadWatch watch = {}, int threads = 2) {
     folder.write("a.mtl", mtl);
@@ -67,6 +69,33 @@ TEST_F(LoadTextures, NothingIsKeptWithoutMaps) {
       << "no triangle uses b";
   EXPECT_FALSE(load("newmtl a\nmap_Ks gone.png\n", "usemtl a\nf 1/1 2/2 3/3\n").textures);
   EXPECT_EQ(reads, 0);
+}
+
+TEST_F(LoadTextures, AlphaOfZeroEverywhereIsOpaque) {
+  const Scene scene = load("newmtl a\nmap_Kd blank.png\n", "usemtl a\nf 1/1 2/2 3/3\n");
+  EXPECT_EQ(warnings,
+            Warnings{"1 textures have an alpha of 0 in every texel, which was taken as opaque ('blank.png')"});
+  EXPECT_FALSE(scene.has_holes());
+  const uint32_t first = scene.textures->words.at(record(scene, 0, HRT_MAP_DIFFUSE) + HRT_TEXTURE_FIRST);
+  EXPECT_EQ(scene.textures->words.at(first) >> 24, 255u);
+}
+
+TEST_F(LoadTextures, InvisibleMaterialsAreTold) {
+  const auto told = [&](const string& statements) {
+    load("newmtl a\n" + statements, "usemtl a\nf 1/1 2/2 3/3\nf 2/2 4/1 3/3\n");
+    return warnings.size() == 1 ? warnings[0] : fmt::format("{} warnings", warnings.size());
+  };
+  const string invisible = "material 'a': all its 2 triangles are invisible (";
+  EXPECT_TRUE(told("d 0\n").starts_with(invisible + "d 0)"));
+  EXPECT_TRUE(told("d 0.001\nKs 0.5\nNs 0\n").starts_with(invisible + "d 0)"));
+  EXPECT_TRUE(told("d 0\nmap_Kd noise.png\nNi 1.3\n").starts_with(invisible + "d 0)"));
+  EXPECT_TRUE(told("d 0\nKs 0.5\nNs 9\n").starts_with(invisible + "d 0, at most its highlights"));
+  EXPECT_TRUE(told("illum 6\nKd 0\n").starts_with(invisible + "clear glass of Ni 1)"));
+  EXPECT_TRUE(told("map_Kd faint.png\n").starts_with(invisible + "its texture is all holes)"));
+  EXPECT_TRUE(told("map_d black.png\n").starts_with(invisible + "its texture is all holes)"));
+  for (const string seen : {"d 0.1\n", "illum 6\nKd 0\nNi 1.5\n", "illum 6\nKd 0\nTf 1 1 .9\n", "illum 6\n",
+                            "map_Kd leaf.png\n", "illum 6\nKd 0\nKs .1\n", "d 0\nKe 0 0 .1\n"})
+    EXPECT_EQ(told(seen), "0 warnings") << seen;
 }
 
 TEST_F(LoadTextures, AFileIsReadOnce) {

@@ -48,6 +48,7 @@ TEST(Mtl, MissingStatementsHaveTheirDefaults) {
   EXPECT_EQ(m.ks, vec3(0));
   EXPECT_EQ(m.tf, vec3(1)) << "no Tf means that glass lets everything through";
   EXPECT_EQ(m.illum, 2);
+  EXPECT_EQ(m.ns, 30);
   EXPECT_EQ(m.opacity, 1);
   EXPECT_EQ(read_one("illum 4\nNi 1.5\n").transmit, vec3(1));
 }
@@ -70,6 +71,15 @@ TEST(Mtl, ClampsAndWarns) {
   EXPECT_EQ(m.at(1).illum, 2);
   EXPECT_TRUE(warned(warnings, "2 indices of refraction (Ni) are not above 0 and were set to 1 (first at line 2)"));
   EXPECT_TRUE(warned(warnings, "2 illumination models (illum) are not 0 to 10 and were set to 2 (first at line 5)"));
+}
+
+TEST(Mtl, ColoursOfEightBitsAreTold) {
+  Warnings warnings;
+  const auto m =
+      read_text("newmtl a\nKd 255 128 0\nnewmtl b\nKs 200\nnewmtl c\nKd 1.2\nKe 50\nnewmtl d\nKd 1\nKs 1\n", warnings);
+  EXPECT_EQ(m.at(0).kd, vec3(255, 128, 0));
+  EXPECT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warned(warnings, "test.mtl: 2 materials have a Kd or Ks far above 1: colours of 0 to 255? ('a', 'b')"));
 }
 
 TEST(Mtl, NumbersThatAreNoneAreErrors) {

@@ -31,7 +31,7 @@ struct SceneFile : testing::Test {
 TEST_F(SceneFile, ReadsEverything) {
   const SceneSource scene = read(R"({"meshes":["a.obj","sub/../b.PLY"],"up_axis":"z",
     "lights":[{"type":"directional","toward":[0,0,4],"color":[1,0.5,0.25]},{"type":"directional","toward":[-9,0,0]}],
-    "ambient":[0.1,0.2,0.3],"background":0.5,
+    "ambient":[0.1,0.2,0.3],"background":0.5,"glass":["pane","lens"],"opaque":["wall"],
     "settings":{"size":"64x48","reflection-depth":2,"fov":40.5,"require-hardware":true,"aov":["id","depth"],"light":[1,2,3],
                 "camera":"c.json"}})");
   ASSERT_EQ(scene.meshes.size(), 2u);
@@ -45,6 +45,8 @@ TEST_F(SceneFile, ReadsEverything) {
   EXPECT_EQ(scene.lights->at(1).color, vec3(1));
   EXPECT_EQ(scene.ambient, vec3(0.1f, 0.2f, 0.3f));
   EXPECT_EQ(scene.background, vec3(0.5f));
+  EXPECT_EQ(scene.kinds.glass, (std::vector<string>{"pane", "lens"}));
+  EXPECT_EQ(scene.kinds.opaque, (std::vector<string>{"wall"}));
   const auto value_of = [&](const string& name) {
     for (const auto& [key, value] : scene.settings)
       if (key == name) return value;
@@ -94,6 +96,9 @@ TEST_F(SceneFile, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(contains(failure_of(R"("up_axis":"x")"), "up_axis: 'x' is not known"));
   EXPECT_TRUE(contains(failure_of(R"("ambient":[1,2])"), "ambient: must be three numbers"));
   EXPECT_TRUE(contains(failure_of(R"("background":[-1,0,0])"), "background: a colour's parts"));
+  EXPECT_TRUE(contains(failure_of(R"("glass":"pane")"), "glass"));
+  EXPECT_TRUE(contains(failure_of(R"("opaque":[1])"), "opaque[0]"));
+  EXPECT_TRUE(contains(failure_of(R"("glass":["a"],"opaque":["b","a"])"), "opaque[1]: 'a' is among 'glass' too"));
   for (const string type : {"point", "spot", "environment"})
     EXPECT_TRUE(contains(failure_of("\"lights\":[{\"type\":\"" + type + "\",\"position\":[0,1,0]}]"),
                          "lights[0].type: type '" + type + "' is not supported yet; directional lights are"));

@@ -1,0 +1,83 @@
+"""Files as people have them, where they are at hand: one test per folder, each holding what its README expects.
+
+Called with the binary and the folder of shared scenes."""
+
+import os
+import shutil
+import sys
+import unittest
+
+FIELD = os.path.join(os.path.abspath(sys.argv.pop(2)), "field")
+
+from scene_case import SceneCase  # noqa: E402, it takes the binary off the arguments
+
+
+@unittest.skipUnless(os.path.isdir(FIELD), f"{FIELD} is not here")
+class FieldCase(SceneCase):
+    def told(self, name, *says):
+        """The picture of a file of the field, with these warnings and no others."""
+        rows, lines = self.picture(os.path.join(FIELD, name))
+        self.assertEqual(len(lines), len(says), lines)
+        for line, part in zip(lines, says):
+            self.assertIn(part, line)
+        return rows
+
+    def plain(self, name, mtl, statements, more=()):
+        """The picture of a copy whose MTL says only this, without a word. `more`: folders that belong to it."""
+        folder = os.path.dirname(os.path.join(FIELD, name))
+        shutil.copytree(folder, self.path("copy"), dirs_exist_ok=True)
+        self.write(os.path.join("copy", mtl), statements)
+        return self.fine(os.path.join("copy", os.path.basename(name)))
+
+
+class OpacityTest(FieldCase):
+    def test_maya_illum4(self):
+        told = "1 materials say illum 4 or 9 but have a colour and no Tf below 1, and are drawn opaque ('m')"
+        textured = self.told("maya_illum4/textured.obj", told)
+        self.assertEqual(textured, self.told("maya_illum4/plain.obj"))
+        lambert = self.told("maya_illum4/lambert.obj", told)
+        self.assertEqual(lambert, self.plain("maya_illum4/lambert.obj", "lambert.mtl", "newmtl m\nKd .8 .2 .2\n"))
+
+    def test_maya_illum4_that_is_glass(self):
+        path = os.path.join(FIELD, "maya_illum4", "lambert.obj")
+        self.write("glass.json", f'{{"meshes": ["{path}"], "glass": ["m"]}}')
+        self.assertEqual([m["kind"] for m in self.report("glass.json")["materials"]], ["glass"])
+        self.fine("glass.json")
+        self.write("wrong.json", f'{{"meshes": ["{path}"], "opaque": ["n"]}}')
+        self.refuse("wrong.json", "opaque: no MTL file of its meshes defines the material 'n'")
+
+    def test_tr1_meshlab_openmvs(self):
+        opaque = self.plain("tr1_meshlab_openmvs/openmvs.obj", "openmvs.mtl", "newmtl m\nKd 1 1 1\nmap_Kd tex4.png\n")
+        names = [name for name in os.listdir(os.path.join(FIELD, "tr1_meshlab_openmvs")) if name.endswith(".obj")]
+        for name in names:
+            rows = self.told("tr1_meshlab_openmvs/" + name, "1 materials say Tr 1 and no d, and are drawn opaque ('m')")
+            if name == "openmvs.obj":
+                self.assertEqual(rows, opaque)
+
+    def test_texture_alpha_unused(self):
+        folder, opaque = "texture_alpha_unused/", "1 textures have an alpha of 0 in every texel, which was taken as opaque"
+        bmp, png = self.told(folder + "x_t32_bmp.obj"), self.told(folder + "x_t_alpha0_png.obj", opaque)
+        for rows in (bmp, png):
+            self.assertGreater(len({tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}), 8, "a texture")
+        self.told(folder + "x_t_alphahalf_png.obj", "all its 12 triangles are invisible (its texture is all holes)")
+
+    def test_invisible_d0(self):
+        self.told("invisible_d0/m_d0.obj", "material 'm': all its 12 triangles are invisible (d 0)")
+
+
+class HighlightTest(FieldCase):
+    def test_specular_ns0(self):
+        ns0 = self.told("specular_ns0/m_ns0.obj")
+        self.assertEqual(ns0, self.plain("specular_ns0/m_ns0.obj", "m_ns0.mtl", "newmtl m\nKd .5 .1 .1\n"))
+        table = self.told("specular_ns0/r_bullet_table.obj")
+        self.assertEqual(table, self.plain("specular_ns0/r_bullet_table.obj", "r_bullet_table.mtl",
+                                           "newmtl m\nKd .8 .8 .8\nmap_Kd tex4.png\n"))
+        usual = "newmtl m\nKd .5 .1 .1\nKs 1 1 1\nNs 30\n"
+        self.assertEqual(self.told("specular_ns0/m_nons.obj"), self.plain("specular_ns0/m_nons.obj", "m_nons.mtl", usual))
+
+    def test_mtl_kd255(self):
+        self.told("mtl_kd255/m_kd255.obj", "1 materials have a Kd or Ks far above 1: colours of 0 to 255? ('m')")
+
+
+if __name__ == "__main__":
+    unittest.main()
