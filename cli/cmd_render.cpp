@@ -38,7 +38,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   topology_warnings(job.scene, job.topology, warnings);
   totals.load_ms = loading.elapsed_ms();
   FileClaims claims;
-  const OutputPaths paths = prepare_output(output, options, job, claims, warnings);
+  const OutputPaths paths = prepare_output(output, source, job, claims, warnings);
 
   Reporter reporter(output, job.frames.count());
   reporter.warnings(warnings);

@@ -13,11 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 using Answer = FileClaims::Answer;
 
-std::string scene_name(const std::string& scene) {
-  if (scene.starts_with("scene:")) return scene.substr(6, scene.find(',') - 6);
-  return fs::path(scene).stem().string();
-}
-
 bool is_whole(const RenderJob& job) {
   const FrameRange& whole = job.motion.sequence;
   return job.frames.lowest() == whole.first && job.frames.highest() == whole.last;
@@ -69,12 +64,12 @@ void claim_all(const OutputOptions& options, const RenderJob& job, OutputPaths& 
 
 }  // namespace
 
-OutputPaths prepare_output(const OutputOptions& options, const RenderOptions& render, const RenderJob& job,
+OutputPaths prepare_output(const OutputOptions& options, const SceneSource& source, const RenderJob& job,
                            FileClaims& claims, Warnings& warnings) {
   if (options.json && options.timings == "-")
     throw error(ErrorKind::usage, "--timings - and --json both want standard output; give --timings a file");
   OutputPaths paths;
-  const std::string usual = "out/" + scene_name(render.scene) + ".####.png";
+  const std::string usual = "out/" + short_name(source) + ".####.png";
   paths.pattern = parse_output_pattern(options.pattern.empty() ? usual : options.pattern, job.frames.count() > 1);
   const fs::path first = output_path(paths.pattern, job.frames.lowest());
   require_writable_format(first);

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <string>
 
-#include "cli/render_options.h"
 #include "core/base/file_claims.h"
 #include "core/base/warnings.h"
+#include "core/load/scene_source.h"
 #include "core/render/output_pattern.h"
 #include "core/render/render_job.h"
 
@@ -28,7 +28,7 @@ struct OutputPaths {
 /// them all, so that no two runs write the same files. If only the timings or the report would clash, this run's get
 /// the range of its frames in their names, with a warning. Throws Error(usage) for impossible names and formats,
 /// Error(output) for what cannot be written or is being written by another run.
-OutputPaths prepare_output(const OutputOptions& options, const RenderOptions& render, const RenderJob& job,
+OutputPaths prepare_output(const OutputOptions& options, const SceneSource& source, const RenderJob& job,
                            FileClaims& claims, Warnings& warnings);
 
 }  // namespace hybridrt::cli

@@ -85,6 +85,11 @@ SceneSource parse_scene_source(const std::string& argument) {
   return source;
 }
 
+std::string short_name(const SceneSource& source) {
+  if (source.procedural) return std::string(source.procedural->name);
+  return std::filesystem::path(source.argument).stem().string();
+}
+
 std::optional<CameraCourse> camera_of(const SceneSource& source, UpAxis up, Warnings& warnings) {
   return source.document ? scene_file_camera(source, up, warnings) : source.shot;
 }

@@ -46,6 +46,10 @@ struct SceneSource {
 /// (input) for a file that is missing or of a kind that we do not read; and as read_scene_file() does.
 SceneSource parse_scene_source(const std::string& argument);
 
+/// What files that are made from the scene are called: its file's name without folder and extension, or the name of a
+/// procedural scene.
+std::string short_name(const SceneSource& source);
+
 /// The scene's own camera, if it has one. `up` is the axis that points up in its files, after the command line's
 /// option. Throws Error (input) as parse_camera() and read_camera_file() do.
 std::optional<CameraCourse> camera_of(const SceneSource& source, UpAxis up, Warnings& warnings);

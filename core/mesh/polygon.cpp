@@ -138,66 +138,96 @@ bool is_ear(Ring& ring, const CornerGrid& grid, uint32_t b, size_t& steps) {
   });
 }
 
-bool clip_ears(std::span<const dvec3> corners, std::vector<uvec3>& triangles) {
-  if (newell_normal(corners) == dvec3(0)) {  // all on one line, or a figure of eight
-    for (uint32_t i = 2; i < corners.size(); ++i) triangles.emplace_back(0, i - 1, i);
-    return false;
-  }
-  Ring ring(flattened(corners));
-  std::vector<uint32_t> hollow;
-  for (uint32_t i = 0; i < corners.size(); ++i)
-    if (!ring.convex[i]) hollow.push_back(i);
-  const CornerGrid grid(ring.points, hollow);
+std::vector<uint32_t> corners_that_are(bool convex, const Ring& ring) {
+  std::vector<uint32_t> corners;
+  for (uint32_t i = 0; i < ring.points.size(); ++i)
+    if ((ring.convex[i] != 0) == convex) corners.push_back(i);
+  return corners;
+}
 
-  // In rounds over the convex corners. The neighbours of a cut corner wait for the next round, or a round polygon would
-  // become a fan of slivers.
-  const size_t most_steps = most_steps_for(corners.size());
-  size_t steps = 0, left = corners.size();
-  std::vector<uint32_t> candidates, later;
-  std::vector<uint32_t> waits_in(corners.size(), 0), queued_in(corners.size(), 0);  // the round
-  for (uint32_t i = 0; i < corners.size(); ++i)
-    if (ring.convex[i]) candidates.push_back(i);
-  const auto try_later = [&](uint32_t i, uint32_t round) {
-    if (!ring.convex[i] || queued_in[i] == round) return;
-    queued_in[i] = round;
-    later.push_back(i);
-  };
-  const auto cut = [&](uint32_t i, uint32_t round) {
-    triangles.emplace_back(ring.previous[i], i, ring.next[i]);
-    ring.remove(i);
-    --left;
-    for (const uint32_t neighbour : {ring.previous[i], ring.next[i]}) {
-      try_later(neighbour, round);
-      waits_in[neighbour] = round;
+/// Cuts ears off in rounds over the convex corners. The neighbours of a corner that was cut off wait for the next
+/// round, or a round polygon would become a fan of slivers.
+class EarClipper {
+ public:
+  EarClipper(std::span<const dvec3> corners, std::vector<uvec3>& triangles)
+      : ring_(flattened(corners)),
+        grid_(ring_.points, corners_that_are(false, ring_)),
+        triangles_(triangles),
+        left_(corners.size()),
+        candidates_(corners_that_are(true, ring_)),
+        waits_in_(corners.size(), 0),
+        queued_in_(corners.size(), 0) {}
+
+  /// False if the polygon crosses itself, or takes too many steps.
+  bool run() {
+    const size_t most_steps = most_steps_for(ring_.points.size());
+    bool clean = true;
+    for (round_ = 1; left_ > 3 && steps_ < most_steps; ++round_) {
+      const size_t before = left_;
+      cut_ears();
+      if (left_ == before) clean &= cut_without_ear();
+      candidates_.swap(later_);
+      later_.clear();
     }
-  };
+    clean = clean && left_ == 3;
+    for (uint32_t i = ring_.any_alive(); left_ >= 3; --left_, i = ring_.previous[i]) {
+      triangles_.emplace_back(ring_.previous[i], i, ring_.next[i]);
+      ring_.remove(i);
+    }
+    return clean;
+  }
 
-  bool clean = true;
-  for (uint32_t round = 1; left > 3 && steps < most_steps; ++round) {
-    const size_t before = left;
-    for (const uint32_t i : candidates) {
-      if (left <= 3 || !ring.alive[i] || waits_in[i] == round) continue;
-      if (++steps; is_ear(ring, grid, i, steps))
-        cut(i, round);
+ private:
+  void cut_ears() {
+    for (const uint32_t i : candidates_) {
+      if (left_ <= 3 || !ring_.alive[i] || waits_in_[i] == round_) continue;
+      if (++steps_; is_ear(ring_, grid_, i, steps_))
+        cut(i);
       else
-        try_later(i, round);
+        try_later(i);
     }
-    if (left == before) {  // no ear: a straight corner may go, else the polygon crosses itself
-      uint32_t straight = 0;
-      while (straight < corners.size() && !(ring.alive[straight] && ring.turn(straight) == 0)) ++straight;
-      clean = clean && straight < corners.size();
-      cut(straight < corners.size() ? straight : ring.any_alive(), round);
-      steps += corners.size();
+  }
+
+  /// A straight corner may go. Without one the polygon crosses itself, and any corner goes: false.
+  bool cut_without_ear() {
+    uint32_t straight = 0;
+    while (straight < ring_.points.size() && !(ring_.alive[straight] && ring_.turn(straight) == 0)) ++straight;
+    const bool found = straight < ring_.points.size();
+    cut(found ? straight : ring_.any_alive());
+    steps_ += ring_.points.size();
+    return found;
+  }
+
+  void try_later(uint32_t i) {
+    if (!ring_.convex[i] || queued_in_[i] == round_) return;
+    queued_in_[i] = round_;
+    later_.push_back(i);
+  }
+
+  void cut(uint32_t i) {
+    triangles_.emplace_back(ring_.previous[i], i, ring_.next[i]);
+    ring_.remove(i);
+    --left_;
+    for (const uint32_t neighbour : {ring_.previous[i], ring_.next[i]}) {
+      try_later(neighbour);
+      waits_in_[neighbour] = round_;
     }
-    candidates.swap(later);
-    later.clear();
   }
-  clean = clean && left == 3;
-  for (uint32_t i = ring.any_alive(); left >= 3; --left, i = ring.previous[i]) {
-    triangles.emplace_back(ring.previous[i], i, ring.next[i]);
-    ring.remove(i);
-  }
-  return clean;
+
+  Ring ring_;
+  const CornerGrid grid_;
+  std::vector<uvec3>& triangles_;
+  size_t steps_ = 0, left_;
+  uint32_t round_ = 1;
+  std::vector<uint32_t> candidates_, later_;
+  std::vector<uint32_t> waits_in_, queued_in_;  ///< the round
+};
+
+bool clip_ears(std::span<const dvec3> corners, std::vector<uvec3>& triangles) {
+  if (newell_normal(corners) != dvec3(0)) return EarClipper(corners, triangles).run();
+  // All on one line, or a figure of eight.
+  for (uint32_t i = 2; i < corners.size(); ++i) triangles.emplace_back(0, i - 1, i);
+  return false;
 }
 
 /// How good the cut a-c is: a point for each of abc, acd that has an area, one if they face the same way. A triangle so

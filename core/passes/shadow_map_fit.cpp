@@ -66,6 +66,11 @@ double narrowest_lean(std::span<const Seen> receivers) {
 
 dvec4 row(const dvec3& axis, double offset) { return {axis, offset}; }
 
+dvec3 nearest_of(std::span<const dvec3> points, const dvec3& forward) {
+  return *std::min_element(points.begin(), points.end(),
+                           [&](const dvec3& a, const dvec3& b) { return glm::dot(a, forward) < glm::dot(b, forward); });
+}
+
 }  // namespace
 
 ShadowMapFit uniform_shadow_map(const LightFrame& light, int size_px) {
@@ -87,10 +92,7 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
   double sine = 0;
   const dvec3 v_axis = warp_axis(view, light.toward, sine), x_axis = glm::cross(v_axis, light.toward);
 
-  // Relative to the nearest one, where texels are smallest.
-  const dvec3 nearest = *std::min_element(receivers.begin(), receivers.end(), [&](const dvec3& a, const dvec3& b) {
-    return glm::dot(a, view.forward) < glm::dot(b, view.forward);
-  });
+  const dvec3 nearest = nearest_of(receivers, view.forward);  // the origin, where texels are smallest
 
   Range along;
   for (const dvec3& p : receivers) along.grow(glm::dot(p - nearest, v_axis));

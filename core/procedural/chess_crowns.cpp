@@ -98,8 +98,7 @@ std::vector<Patch> bishop_patches(const Profile& body, const Fineness& fineness)
     return stretch == 0 ? glm::mix(-half, half, v) : glm::mix(half, 2 * kPi - half, v);
   };
   outline.direction = [=](int stretch, double v) { return on_circle(angle_rad(stretch, v)); };
-  outline.stretches = 2;
-  outline.fewest_columns = 3;
+  outline.stretches = 2, outline.fewest_columns = 3;
   std::vector<Patch> patches = turned(body, outline, fineness);
   Profile top(to);
   top.ball(0.050);
@@ -113,8 +112,8 @@ std::vector<Patch> bishop_patches(const Profile& body, const Fineness& fineness)
     patches.push_back(std::move(patch));
   };
   for (int stretch = 0; stretch < 2; ++stretch) {
-    const auto surface = [=](double share, double low,
-                             double v) {  // the share of the way from edge to end of the curve
+    // `share`: of the way from the edge to the end of the curve.
+    const auto surface = [=](double share, double low, double v) {
       const double angle = angle_rad(stretch, v);
       return mitre.on_curve(low < 0 ? share * mitre.edge(angle, -1) : glm::mix(mitre.edge(angle, 1), 1.0, share),
                             angle);
