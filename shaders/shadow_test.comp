@@ -13,6 +13,7 @@ uniform float inverse_w_slope;
 uniform float texel_across;
 uniform float texel_along;
 uniform float uniform_texel;
+uniform float misplacement;
 uniform float lean_first;
 uniform float lean_step;
 uniform int warped;
@@ -31,8 +32,9 @@ float depth_offset(vec3 normal, float cos_light, float u, float w) {
     return widest * (min(slope, kMaxSlope) + 0.2);
   }
   vec2 gradient = vec2(dot(normal, across), dot(normal, along)) / cos_light;
+  float misplaced = misplacement * w * (1.0 + min(length(gradient), kMaxSlope));
   float half_texel = 0.5 * depth_over_texel(gradient, texel, lean_first + lean_step * u);
-  return min(half_texel, kMaxSlope * uniform_texel) + 0.2 * widest;
+  return min(half_texel, kMaxSlope * uniform_texel) + max(0.2 * widest, misplaced);
 }
 
 uint shadow_mask(ivec2 pixel) {
@@ -51,7 +53,7 @@ uint shadow_mask(ivec2 pixel) {
   ivec2 size = textureSize(shadow_map, 0);
   ivec2 texel = clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1);
   float w = map_w((float(texel.y) + 0.5) / float(size.y), inverse_w_slope);
-  float nearest = texelFetch(shadow_map, texel, 0).r * w;
+  float nearest = (2.0 * texelFetch(shadow_map, texel, 0).r - 1.0) * w;
   return nearest < in_map.z - depth_offset(normal, cos_light, uv.x, w) ? 0u : HRT_MASK_LIT;
 }
 

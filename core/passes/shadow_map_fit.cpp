@@ -1,6 +1,7 @@
 #include "core/passes/shadow_map_fit.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
 namespace hybridrt {
@@ -11,6 +12,8 @@ constexpr double kLeastSine = 0.02;  // view and light nearer to parallel: nothi
 constexpr double kMargin_texels = 2;
 // Rounding of the map's depths and of the points': texels narrower than this do not narrow the bias.
 constexpr double kDepthRounding = 0x1p-18;
+// What rounding adds to a number on its way into the map, as a share of the largest such number.
+constexpr double kRounding = 0x1p-23;
 constexpr double kMostLean = 4;
 
 struct Range {
@@ -77,7 +80,10 @@ ShadowMapFit uniform_shadow_map(const LightFrame& light, int size_px) {
   const dvec3 box = light.hi - light.lo;
   const dvec2 texel = dvec2(box) / static_cast<double>(size_px) / box.z;
   ShadowMapFit fit;
-  fit.map_from_origin = light.unit_from_scene();
+  fit.origin = 0.5 * (light.lo.x + light.hi.x) * light.x_axis + 0.5 * (light.lo.y + light.hi.y) * light.y_axis -
+               0.5 * (light.lo.z + light.hi.z) * light.toward;
+  fit.map_from_origin = light.unit_from_scene() * glm::translate(dmat4(1), fit.origin);
+  fit.map_from_origin[3][2] = 0;
   fit.across = light.x_axis;
   fit.along = light.y_axis;
   fit.texel_across = texel.x;
@@ -120,7 +126,7 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
   const dvec4 v = margin * w + inner * w_scale * w_hi / along.size() * row(v_axis, -along.lo);
   const dvec4 x = w_scale * row(x_axis - lean * v_axis, lean * along.lo);
   const dvec4 u = margin * w + inner / across.size() * (x - across.lo * w);
-  const dvec4 z = row(-light.toward, -glm::dot(view.eye + nearest, light.toward) - light.lo.z) / box.z;
+  const dvec4 z = row(-light.toward, 0) / box.z;
 
   ShadowMapFit fit;
   fit.origin = view.eye + nearest;
@@ -132,6 +138,7 @@ ShadowMapFit fit_shadow_map(const LightFrame& light, const View& view, std::span
   fit.texel_across = std::max(1 / (glm::dot(dvec3(u), x_axis) * size_px * box.z), kDepthRounding);
   fit.texel_along = 1 / (glm::dot(dvec3(v), v_axis) * size_px * box.z);
   fit.uniform_texel = std::max(box.x, box.y) / size_px / box.z;
+  fit.misplacement = kRounding * glm::length(box) / box.z;  // corners may lie a whole scene away
   fit.lean_step = w_per_length * across.size() / inner;
   fit.lean_first = lean + w_per_length * across.lo - margin * fit.lean_step;
   return fit;

@@ -12,12 +12,14 @@ namespace hybridrt {
 ///
 ///     (u w, v w, z, w) = map_from_origin * (position - origin, 1)
 ///
-/// u and v are 0..1 over the map, z is 0..1 over the scene and grows away from the light, w is 1 along the row v = 0
-/// and grows with v. Hardware divides z by w too, so the map holds z / w. As w is constant along a row of texels,
+/// u and v are 0..1 over the map; z is the place along the light, as a share of the scene's depth, grows away from the
+/// light and is 0 at the origin, so that it lies in -1..1; w is 1 along the row v = 0 and grows with v. Hardware
+/// divides z by w too, so the map holds 0.5 + 0.5 z / w: an error of w, which is large where a triangle reaches far
+/// beyond the map, only moves what is far from the origin along the light. As w is constant along a row of texels,
 ///
 ///     1 / w = 1 + inverse_w_slope * v,
 ///
-/// z is recovered with negligible rounding, and no shader need write depths.
+/// z is recovered with little rounding, and no shader need write depths.
 struct ShadowMapFit {
   dvec3 origin{0};  ///< scene space; subtracted first, so that what is near it is precise in float
   dmat4 map_from_origin{1};
@@ -27,6 +29,7 @@ struct ShadowMapFit {
   double texel_across = 0;     ///< a texel is texel_across * w wide, in units of z, ...
   double texel_along = 0;      ///< ... and texel_along * w^2 long, measured straight along `along`
   double uniform_texel = 0;    ///< the longer side of a texel of uniform_shadow_map()
+  double misplacement = 0;     ///< times w: how far rounding may move what the map holds, in units of z
   double lean_first = 0, lean_step = 0;  ///< lines of equal u lean to `across` by lean_first + lean_step * u
 };
 

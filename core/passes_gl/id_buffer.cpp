@@ -56,6 +56,7 @@ void ShadowTestPass::run(const In& in, const Out& out) const {
   across_.set(vec3(in.fit.across));
   along_.set(vec3(in.fit.along));
   uniform_texel_.set(static_cast<float>(in.fit.uniform_texel));
+  misplacement_.set(static_cast<float>(in.fit.misplacement));
   lean_first_.set(static_cast<float>(in.fit.lean_first));
   lean_step_.set(static_cast<float>(in.fit.lean_step));
   warped_.set(in.fit.warped);

@@ -57,7 +57,7 @@ struct ShadowTestPass {
   gl::Uniform<vec3> across_{program_, "across"}, along_{program_, "along"};
   gl::Uniform<float> inverse_w_slope_{program_, "inverse_w_slope"};
   gl::Uniform<float> texel_across_{program_, "texel_across"}, texel_along_{program_, "texel_along"};
-  gl::Uniform<float> uniform_texel_{program_, "uniform_texel"};
+  gl::Uniform<float> uniform_texel_{program_, "uniform_texel"}, misplacement_{program_, "misplacement"};
   gl::Uniform<float> lean_first_{program_, "lean_first"}, lean_step_{program_, "lean_step"};
   gl::Uniform<int> warped_{program_, "warped"};
 };

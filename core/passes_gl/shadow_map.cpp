@@ -13,13 +13,13 @@ void ShadowMapPass::run(const In& in, const Out& out) const {
   const float farthest = 1;
   gl.BindFramebuffer(GL_FRAMEBUFFER, out.depth.id());
   gl.Viewport(0, 0, in.size_px, in.size_px);
-  gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
   gl.DepthFunc(GL_LESS);
   gl.ClearNamedFramebufferfv(out.depth.id(), GL_DEPTH, 0, &farthest);
 
-  // x and y from 0..1 to clip space's -1..1; depth is 0..1 in both. What lies behind a warp's pole has w < 0 and is
+  // x and y from 0..1 to clip space's -1..1; depth is -1..1 in both. What lies behind a warp's pole has w < 0 and is
   // clipped.
   dmat4 clip_from_map(1);
   clip_from_map[0][0] = clip_from_map[1][1] = 2;

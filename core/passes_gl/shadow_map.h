@@ -17,7 +17,8 @@ struct ShadowMapPass {
     int size_px;
   };
   struct Out {
-    const gl::Framebuffer& depth;  ///< DEPTH_COMPONENT32F, size_px square: z / w of the fit, 1 where nothing is
+    const gl::Framebuffer&
+        depth;  ///< DEPTH_COMPONENT32F, size_px square: 0.5 + 0.5 z / w of the fit, 1 where nothing is
   };
   void run(const In& in, const Out& out) const;
 

@@ -27,11 +27,11 @@ class ShadowMapTest : public GlTest {
  protected:
   static double w_at(const ShadowMapFit& fit, double y) { return 1 / (1 + fit.inverse_w_slope * y / kMap_px); }
 
-  /// The nearest surface at a place of the map, in texels; t is the depth.
+  /// The nearest surface at a place of the map, in texels; t is (z + 1) / 2.
   static Hit<double> nearest_at(const PrimaryRays& rays, const ShadowMapFit& fit, double x, double y) {
     const dmat4 from_map = glm::inverse(fit.map_from_origin);
     const double w = w_at(fit, y);
-    const dvec3 begin(from_map * dvec4(w * x / kMap_px, w * y / kMap_px, 0, w));
+    const dvec3 begin(from_map * dvec4(w * x / kMap_px, w * y / kMap_px, -1, w));
     const dvec3 end(from_map * dvec4(w * x / kMap_px, w * y / kMap_px, 1, w));
     return rays.closest({fit.origin + begin, end - begin});
   }
@@ -43,7 +43,7 @@ class ShadowMapTest : public GlTest {
     dvec3 p[3];  // texels and what the map holds
     for (int corner = 0; corner < 3; ++corner) {
       const dvec4 q = fit.map_from_origin * dvec4(dvec3(scene.vertex(hit.triangle, corner)) - fit.origin, 1);
-      p[corner] = dvec3(q) / q.w * dvec3(kMap_px, kMap_px, 1);
+      p[corner] = dvec3(q) / q.w * dvec3(kMap_px, kMap_px, 0.5) + dvec3(0, 0, 0.5);
     }
     const dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double slope_x = -normal.x / normal.z, slope_y = -normal.y / normal.z;
@@ -66,7 +66,7 @@ class ShadowMapTest : public GlTest {
         const double drawn = depth[static_cast<size_t>(y) * kMap_px + x];
         const Hit<double> truth = nearest_at(rays, fit, x + 0.5, y + 0.5);
         covered += truth.found();
-        if (std::abs(drawn - (truth.found() ? truth.t / w_at(fit, y + 0.5) : 1)) <= kDepthError) continue;
+        if (std::abs(drawn - (truth.found() ? 0.5 + (truth.t - 0.5) / w_at(fit, y + 0.5) : 1)) <= kDepthError) continue;
         ++differ;
         // Snapping moves outlines: one of the surfaces nearby must be what was drawn.
         bool explained = explains(scene, fit, truth, x + 0.5, y + 0.5, drawn);
