@@ -1,10 +1,12 @@
 #include "core/passes_cpu/repair_primary.h"
 
+#include <algorithm>
 #include <array>
 #include <mutex>
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/passes/misplaced_triangles.h"
 #include "core/trace/holes.h"
 #include "core/trace/primary_surface.h"
 #include "core/trace/triangle.h"
@@ -20,22 +22,23 @@ struct SeenTriangle {
   vec3 edges[3];       ///< unit normals of the planes through the eye and an edge, pointing inward
   vec3 normal;         ///< unit, away from the eye
   float distance = 0;  ///< from the eye to its plane
+  float reach = 0;     ///< from the eye to its farthest corner
   bool edge_on = false;
 
   SeenTriangle() = default;
   SeenTriangle(const Scene& scene, const dvec3& eye, uint32_t triangle) : id(triangle) {
     if (id == kNoTriangle) return;
-    const dvec3 corners[] = {dvec3(scene.vertex(id, 0)), dvec3(scene.vertex(id, 1)), dvec3(scene.vertex(id, 2))};
-    const vec3 a(corners[0] - eye), e1(corners[1] - corners[0]), e2(corners[2] - corners[0]);
-    for (int i = 0; i < 3; ++i) {  // from the edge: the product of two far corners would lose its digits
-      const dvec3 &from = corners[i], &to = corners[(i + 1) % 3];
-      edges[i] = glm::cross(vec3(from - eye), vec3(to - from));
-    }
-    normal = glm::cross(e1, e2);
-    const float turn = glm::dot(a, normal) < 0 ? -1.0f : 1.0f;
-    for (vec3& edge : edges) edge_on |= !set_length(edge, turn);
-    edge_on |= !set_length(normal, turn);
-    distance = glm::dot(a, normal);
+    // In double: the corners of a large triangle may be far away while what is seen of it is near.
+    const dvec3 a = dvec3(scene.vertex(id, 0)) - eye, b = dvec3(scene.vertex(id, 1)) - eye,
+                c = dvec3(scene.vertex(id, 2)) - eye;
+    const dvec3 across = glm::cross(b - a, c - a);
+    const double turn = glm::dot(a, across) < 0 ? -1 : 1;
+    edges[0] = directed(glm::cross(a, b), turn);
+    edges[1] = directed(glm::cross(b, c), turn);
+    edges[2] = directed(glm::cross(c, a), turn);
+    normal = directed(across, turn);
+    reach = static_cast<float>(std::sqrt(std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)})));
+    distance = static_cast<float>(glm::dot(a, across) * turn / glm::length(across));
   }
 
   /// About the sine of the angle from `dir` (unit) to the nearest edge, positive inside.
@@ -44,10 +47,10 @@ struct SeenTriangle {
   }
 
  private:
-  static bool set_length(vec3& v, float length) {
-    const float now = glm::length(v);
-    v *= length / now;
-    return now > 0;
+  vec3 directed(const dvec3& v, double turn) {
+    const double length = glm::length(v);
+    edge_on |= !(length > 0);
+    return vec3(v * (turn / length));
   }
 };
 
@@ -100,10 +103,10 @@ class Neighbourhood {
 class Suspicion {
  public:
   explicit Suspicion(const View& view)
-      : pixel_(static_cast<float>(2 * view.tan_half_height / view.frame_height_px)), near_edge_(pixel_ / 256 + 4e-7f) {}
+      : pixel_(static_cast<float>(pixel_angle(view))), snapping_(pixel_ / 256 + 4e-7f) {}
 
-  bool may_be_hit(const SeenTriangle& triangle, const vec3& dir) const {
-    return triangle.edge_on || triangle.depth_inside(dir) > -near_edge_;
+  bool may_be_hit(const SeenPixel& seen, const vec3& dir) const {
+    return seen.triangle.edge_on || seen.triangle.depth_inside(dir) > -near_edge(seen);
   }
 
   bool falls_on(const Neighbourhood& seen, int x, int y) const {
@@ -115,19 +118,24 @@ class Suspicion {
 
     const vec3 dir(own.dir);
     const bool hit = own.triangle.id != kNoTriangle;
-    if (hit && (own.triangle.edge_on || own.cosine < kGrazing || own.triangle.depth_inside(dir) < near_edge_))
+    if (hit && (own.triangle.edge_on || own.cosine < kGrazing || own.triangle.depth_inside(dir) < near_edge(own)))
       return true;
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const SeenPixel& other = seen.at(x + dx, y + dy);
         if (other.triangle.id == own.triangle.id) continue;
         if (!hit || other.triangle.id == kNoTriangle || is_step(own, other)) return true;  // a silhouette
-        if (may_be_hit(other.triangle, dir)) return true;
+        if (may_be_hit(other, dir)) return true;
       }
     return false;
   }
 
  private:
+  /// The depth_inside() below which the raster may decide otherwise: it snaps vertices, and rounds far corners.
+  float near_edge(const SeenPixel& seen) const {
+    return snapping_ + static_cast<float>(kCornerError) * seen.triangle.reach / std::max(std::abs(seen.t), 1e-30f);
+  }
+
   static constexpr float kGrazing = 0.05f, kSteps = 4;
 
   /// Whether no surface reaches from one pixel to the other without a silhouette between them.
@@ -136,8 +144,8 @@ class Suspicion {
     return std::abs(a.t - b.t) > kSteps * pixel_ * std::min(a.t, b.t) / cosine;
   }
 
-  float pixel_;      ///< the angle of a pixel
-  float near_edge_;  ///< depth_inside() below which the raster may decide otherwise
+  float pixel_;     ///< the angle of a pixel
+  float snapping_;  ///< the angle that vertices are snapped by
 };
 
 /// Whether the triangle has a hole where the pixel's exact ray meets it; the raster rounds differently.
@@ -169,8 +177,8 @@ class ExactHit {
     const vec3 dir(ray_.dir);
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
-        const SeenTriangle& triangle = seen.at(x + dx, y + dy).triangle;
-        if (triangle.id != kNoTriangle && suspicion.may_be_hit(triangle, dir)) offer(triangle.id);
+        const SeenPixel& other = seen.at(x + dx, y + dy);
+        if (other.triangle.id != kNoTriangle && suspicion.may_be_hit(other, dir)) offer(other.triangle.id);
       }
   }
 
@@ -185,6 +193,21 @@ class ExactHit {
     for (const Hit<float>& hit : hits) offer(hit.triangle);
   }
 
+  /// Where single precision misplaces some triangles (in increasing order), `first`, the caster's hit, may be one of
+  /// them, wrongly in front of another triangle, or may have missed one: offers them all, and what lies behind and
+  /// beside `first`.
+  void offer_despite(std::span<const uint32_t> misplaced, Hit<float> first, const RayCaster<float>& caster,
+                     const View& view) {
+    for (uint32_t id : misplaced) offer(id);
+    if (std::binary_search(misplaced.begin(), misplaced.end(), first.triangle)) offer_around(caster, view);
+    Ray<float> ray{vec3(ray_.origin), vec3(ray_.dir)};
+    while (first.found() && std::binary_search(misplaced.begin(), misplaced.end(), first.triangle)) {
+      ray.t_min = std::nextafter(first.t, std::numeric_limits<float>::infinity());
+      caster.closest_hits({&ray, 1}, {&first, 1});
+      offer(first.triangle);
+    }
+  }
+
   uint32_t triangle() const { return nearest_.triangle; }
 
  private:
@@ -194,48 +217,95 @@ class ExactHit {
   NearestHit<double> nearest_;
 };
 
+/// What is needed to repair any row.
+struct RepairJob {
+  const Scene& scene;
+  const View& view;
+  const RayCaster<float>& caster;
+  std::span<const uint32_t> ids;
+  std::span<uint32_t> repaired;
+  std::span<const uint32_t> misplaced;  ///< if there are any, every pixel is suspect
+};
+
+/// What the rows of a chunk gave.
+struct RepairedRows {
+  RepairStats stats;
+  float nearest = std::numeric_limits<float>::infinity();  ///< distance of what pass 2 saw
+};
+
+uint32_t exact_triangle(const RepairJob& job, const Neighbourhood& seen, int x, int y, const Suspicion& suspicion,
+                        const Hit<float>& hit) {
+  ExactHit exact(job.scene, seen.at(x, y), job.view.eye);
+  exact.offer_neighbours(seen, x, y, suspicion);
+  if (hit.found() && !exact.offer(hit.triangle)) exact.offer_around(job.caster, job.view);
+  if (!job.misplaced.empty()) exact.offer_despite(job.misplaced, hit, job.caster, job.view);
+  return exact.triangle();
+}
+
+RepairedRows repair_rows(const RepairJob& job, const Suspicion& suspicion, size_t begin, size_t end) {
+  const View& view = job.view;
+  Neighbourhood seen(job.scene, view, job.ids);
+  RepairedRows done;
+  std::vector<int> suspects;
+  std::vector<Ray<float>> rays;
+  std::vector<Hit<float>> hits;
+  for (size_t row = begin; row < end; ++row) {
+    const int y = static_cast<int>(row);
+    seen.go_to(y, row == begin);
+    suspects.clear(), rays.clear();
+    for (int x = 0; x < view.width_px; ++x) {
+      const size_t pixel = row * view.width_px + x;
+      job.repaired[pixel] = job.ids[pixel];
+      const SeenPixel& own = seen.at(x, y);
+      if (own.triangle.id != kNoTriangle && own.t > 0) done.nearest = std::min(done.nearest, own.t);
+      if (job.misplaced.empty() && !suspicion.falls_on(seen, x, y) && !shows_hole(job.scene, view.eye, own)) continue;
+      suspects.push_back(x);
+      rays.push_back({vec3(view.eye), vec3(own.dir)});
+    }
+    hits.resize(rays.size());
+    job.caster.closest_hits(rays, hits);
+    for (size_t i = 0; i < suspects.size(); ++i) {
+      uint32_t& id = job.repaired[row * view.width_px + suspects[i]];
+      const uint32_t exact = exact_triangle(job, seen, suspects[i], y, suspicion, hits[i]);
+      done.stats.repaired += exact != id;
+      id = exact;
+    }
+    done.stats.suspects += static_cast<int64_t>(suspects.size());
+  }
+  return done;
+}
+
+RepairedRows repair_picture(const RepairJob& job, ThreadPool& pool) {
+  const Suspicion suspicion(job.view);
+  RepairedRows total;
+  std::mutex mutex;
+  parallel_for(pool, static_cast<size_t>(job.view.height_px), kRowsPerChunk, [&](size_t begin, size_t end) {
+    const RepairedRows done = repair_rows(job, suspicion, begin, end);
+    std::lock_guard lock(mutex);
+    total.stats.suspects += done.stats.suspects;
+    total.stats.repaired += done.stats.repaired;
+    total.nearest = std::min(total.nearest, done.nearest);
+  });
+  return total;
+}
+
+/// The distance of the nearest thing that may be in view, if pass 2 saw nothing nearer than `seen`.
+double nearest_possible(const Scene& scene, const View& view, float seen) {
+  if (std::isfinite(seen)) return seen;
+  const dvec3 outside = glm::max(dvec3(scene.bounds.lo) - view.eye, view.eye - dvec3(scene.bounds.hi));
+  return glm::length(glm::max(outside, dvec3(0)));
+}
+
 }  // namespace
 
 RepairStats repair_primary_hits(const Scene& scene, const View& view, const RayCaster<float>& caster, ThreadPool& pool,
                                 std::span<const uint32_t> ids, std::span<uint32_t> repaired) {
   HRT_CHECK_EQ(ids.size(), repaired.size());
-  const Suspicion suspicion(view);
-  RepairStats total;
-  std::mutex mutex;
-  parallel_for(pool, static_cast<size_t>(view.height_px), kRowsPerChunk, [&](size_t begin, size_t end) {
-    Neighbourhood seen(scene, view, ids);
-    RepairStats stats;
-    std::vector<int> suspects;
-    std::vector<Ray<float>> rays;
-    std::vector<Hit<float>> hits;
-    for (size_t row = begin; row < end; ++row) {
-      const int y = static_cast<int>(row);
-      seen.go_to(y, row == begin);
-      suspects.clear(), rays.clear();
-      for (int x = 0; x < view.width_px; ++x) {
-        const size_t pixel = row * view.width_px + x;
-        repaired[pixel] = ids[pixel];
-        if (!suspicion.falls_on(seen, x, y) && !shows_hole(scene, view.eye, seen.at(x, y))) continue;
-        suspects.push_back(x);
-        rays.push_back({vec3(view.eye), vec3(seen.at(x, y).dir)});
-      }
-      hits.resize(rays.size());
-      caster.closest_hits(rays, hits);
-      for (size_t i = 0; i < suspects.size(); ++i) {
-        uint32_t& id = repaired[row * view.width_px + suspects[i]];
-        ExactHit exact(scene, seen.at(suspects[i], y), view.eye);
-        exact.offer_neighbours(seen, suspects[i], y, suspicion);
-        if (hits[i].found() && !exact.offer(hits[i].triangle)) exact.offer_around(caster, view);
-        stats.repaired += exact.triangle() != id;
-        id = exact.triangle();
-      }
-      stats.suspects += static_cast<int64_t>(suspects.size());
-    }
-    std::lock_guard lock(mutex);
-    total.suspects += stats.suspects;
-    total.repaired += stats.repaired;
-  });
-  return total;
+  const RepairedRows usual = repair_picture({scene, view, caster, ids, repaired, {}}, pool);
+  if (!may_be_misplaced(scene, view, nearest_possible(scene, view, usual.nearest))) return usual.stats;
+  const std::vector<uint32_t> misplaced = misplaced_triangles(scene, view);
+  if (misplaced.empty()) return usual.stats;
+  return repair_picture({scene, view, caster, ids, repaired, misplaced}, pool).stats;
 }
 
 }  // namespace hybridrt

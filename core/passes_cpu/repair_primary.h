@@ -19,7 +19,8 @@ struct RepairStats {
 /// triangle of one of the eight neighbours. A primary ray checks them, in double precision, against the pixel's and its
 /// neighbours' triangles and the one that `caster` finds. `ids`: what pass 2 read back, rows from the top. `repaired`:
 /// the same with suspects corrected; of several triangles at the same distance the smallest number, as in the
-/// reference.
+/// reference. Where triangles are so large that single precision misplaces them (misplaced_triangles()), every pixel is
+/// a suspect.
 RepairStats repair_primary_hits(const Scene& scene, const View& view, const RayCaster<float>& caster, ThreadPool& pool,
                                 std::span<const uint32_t> ids, std::span<uint32_t> repaired);
 

@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace hybridrt {
+namespace {
+
+// The near plane, as a share of the scene: far below what positions resolve, so that nothing in view is cut away.
+// Reversed depth loses nothing by it.
+constexpr double kNearest = 1e-12;
+
+}  // namespace
 
 SceneFacts make_scene_facts(const Scene& scene) {
   SceneFacts facts;
@@ -46,7 +53,7 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.view.samples = settings.samples;
   plan.lights = request.lights;
   const double size = glm::length(dvec3(facts.bounds.extent()));
-  plan.near_distance = 1e-5 * std::max(size, 1e-30);
+  plan.near_distance = kNearest * std::max(size, 1e-30);
 
   const bool hybrid = settings.method == Method::hybrid;
   const ShadowMode shadows = count_shadow_casters(plan.lights) > 0 ? settings.shadows : ShadowMode::none;

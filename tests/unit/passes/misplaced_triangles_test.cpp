@@ -1,0 +1,82 @@
+// Small things on a ground so large that single precision, the raster's and the rays', misplaces it.
+
+#include "core/passes/misplaced_triangles.h"
+
+#include <gtest/gtest.h>
+
+#include "core/passes_cpu/repair_primary.h"
+#include "core/trace/kd_caster.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/trace_scenes.h"
+
+namespace hybridrt {
+namespace {
+
+constexpr int kWidth_px = 80, kHeight_px = 60;
+
+/// Things the size of 1 around the origin, on a ground `half_size` wide on each side. The ground comes last.
+Scene on_large_ground(uint32_t seed, float half_size) {
+  Scene scene = random_soup(seed, 60, 0.7f);
+  const float y = scene.bounds.lo.y, s = half_size;
+  add_triangle(scene, {-s, y, -s}, {s, y, -s}, {s, y, s});
+  add_triangle(scene, {-s, y, -s}, {s, y, s}, {-s, y, s});
+  scene.bounds.grow({-s, y, -s});
+  scene.bounds.grow({s, y, s});
+  return scene;
+}
+
+View near_view(const Scene& scene, Random& random) {
+  const dvec3 eye(random.between(-4, 4), scene.bounds.lo.y + random.between(0.5f, 4), random.between(2, 4));
+  return make_view({eye, dvec3(0), {0, 1, 0}, 0.8}, dvec3(0), kWidth_px, kHeight_px);
+}
+
+std::vector<uint32_t> true_ids(const Scene& scene, const View& view) {
+  std::vector<uint32_t> ids;
+  for (int y = 0; y < kHeight_px; ++y)
+    for (int x = 0; x < kWidth_px; ++x)
+      ids.push_back(brute_force_hit<double>(scene, {view.eye, glm::normalize(view.pixel_dir(x, y))}).triangle);
+  return ids;
+}
+
+TEST(MisplacedTriangles, AreFoundIfAndOnlyIfTheyReachFarFromNearTheEye) {
+  Random random(3);
+  const Scene large = on_large_ground(1, 1e6f), usual = on_large_ground(1, 500);
+  for (int i = 0; i < 20; ++i) {
+    const View view = near_view(large, random);
+    const uint32_t ground = static_cast<uint32_t>(large.triangle_count()) - 2;
+    for (uint32_t id : misplaced_triangles(large, view)) EXPECT_GE(id, ground);
+    EXPECT_FALSE(misplaced_triangles(large, view).empty());
+    EXPECT_TRUE(may_be_misplaced(large, view, 5));
+    EXPECT_TRUE(misplaced_triangles(usual, view).empty());
+    EXPECT_FALSE(may_be_misplaced(usual, view, 5));
+  }
+}
+
+// Whatever the raster made of the picture, even where it tore a hole of many pixels.
+TEST(MisplacedTriangles, TornPicturesAreRepaired) {
+  ThreadPool pool(1);
+  for (uint32_t seed = 0; seed < 12; ++seed) {
+    Random random(seed);
+    const Scene scene = on_large_ground(seed, std::pow(10.0f, random.between(6, 8)));
+    const View view = near_view(scene, random);
+    const std::vector<uint32_t> truth = true_ids(scene, view);
+    std::vector<uint32_t> torn = truth;
+    const int first = static_cast<int>(random.below(kWidth_px - 10));
+    for (int y = 0; y < kHeight_px; ++y)
+      for (int x = first; x < first + 10; ++x)
+        torn[y * kWidth_px + x] =
+            random.below(2) ? kNoTriangle : random.below(static_cast<uint32_t>(scene.triangle_count()));
+
+    const KdTree tree = build_kd_tree(scene, pool);
+    std::vector<uint32_t> repaired(torn.size());
+    const RepairStats stats =
+        repair_primary_hits(scene, view, *make_kd_caster(tree, LeafKernel::simd), pool, torn, repaired);
+    size_t wrong = 0;
+    for (size_t i = 0; i < truth.size(); ++i) wrong += repaired[i] != truth[i];
+    EXPECT_EQ(wrong, 0) << "seed " << seed;
+    EXPECT_EQ(stats.suspects, kWidth_px * kHeight_px) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace hybridrt
