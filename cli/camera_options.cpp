@@ -1,7 +1,10 @@
 #include "cli/camera_options.h"
 
+#include <fmt/format.h>
+
 #include "core/base/error.h"
 #include "core/load/camera_json.h"
+#include "core/scene/framing.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -32,12 +35,21 @@ void require_one_camera(const RenderOptions& o) {
     throw error(ErrorKind::usage, "--camera and --eye both say where the camera is; give one of them");
 }
 
+void warn_of_stray(const Scene& scene, const Framing& framing, Warnings& warnings) {
+  if (framing.left_out == 0) return;
+  const dvec3 p = scene.origin_world + dvec3(framing.an_outlier);
+  warnings.push_back(fmt::format(
+      "{} triangles lie far from all others (one at {:g}, {:g}, {:g}); the default camera does not frame them",
+      framing.left_out, p.x, p.y, p.z));
+}
+
 /// The camera named by an option or by the scene, if any.
 std::optional<CameraCourse> named_course(const RenderOptions& o, const SceneSource& source, const RenderJob& job,
                                          UpAxis up_axis, double aspect, double fov_y_rad, Warnings& warnings) {
   if (!o.camera.empty()) return read_camera_file(o.camera, up_axis, warnings);
   if (!o.eye) return camera_of(source, up_axis, warnings);
-  Camera still = still_camera(o, up_axis, default_orbit(job.scene, aspect, fov_y_rad).target_world, warnings);
+  const Aabb framed = frame_scene(job.scene).bounds;
+  Camera still = still_camera(o, up_axis, default_orbit(job.scene, framed, aspect, fov_y_rad).target_world, warnings);
   return still;
 }
 
@@ -53,7 +65,9 @@ ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, co
     chosen.course = std::move(*named);
   } else {
     chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
-    const DefaultView view = choose_default_view(job.scene, *chosen.caster.caster, aspect, fov_y_rad);
+    const Framing framing = frame_scene(job.scene);
+    warn_of_stray(job.scene, framing, warnings);
+    const DefaultView view = choose_default_view(job.scene, framing.bounds, *chosen.caster.caster, aspect, fov_y_rad);
     chosen.surroundings = view.surroundings;
     chosen.course = view.orbit;
   }

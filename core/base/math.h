@@ -52,6 +52,9 @@ struct Aabb {
   bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
   vec3 extent() const { return empty() ? vec3(0) : hi - lo; }
   vec3 center() const { return 0.5f * lo + 0.5f * hi; }
+  bool holds(const vec3& p) const {
+    return lo.x <= p.x && p.x <= hi.x && lo.y <= p.y && p.y <= hi.y && lo.z <= p.z && p.z <= hi.z;
+  }
   void grow(const vec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
   void grow(const Aabb& box) { lo = glm::min(lo, box.lo), hi = glm::max(hi, box.hi); }
 };

@@ -110,11 +110,11 @@ Seen look_around(const Scene& scene, const RayCaster<float>& caster, const vec3&
 
 /// The point of a grid in the scene's box with the most space around it and walls facing it, slightly below the middle,
 /// as people stand.
-std::optional<vec3> roomiest_point(const Scene& scene, const RayCaster<float>& caster) {
+std::optional<vec3> roomiest_point(const Scene& scene, const Aabb& framed, const RayCaster<float>& caster) {
   constexpr int kSteps = 11, kDirections = 48;
   constexpr double kFewestHits = 0.5, kMostBackFaces = 0.15, kClearance = 0.02, kEyeLevel = 0.3;
   const std::vector<vec3> directions = sphere_directions(kDirections);
-  const vec3 extent = scene.bounds.extent();
+  const vec3 extent = framed.extent();
   const double diagonal = glm::length(extent);
   std::optional<vec3> best;
   double best_score = 0;
@@ -122,7 +122,7 @@ std::optional<vec3> roomiest_point(const Scene& scene, const RayCaster<float>& c
     for (int y = 0; y < kSteps; ++y)
       for (int x = 0; x < kSteps; ++x) {
         const vec3 share = (vec3(x, y, z) + 0.5f) / static_cast<float>(kSteps);
-        const vec3 eye = scene.bounds.lo + share * extent;
+        const vec3 eye = framed.lo + share * extent;
         const Seen seen = look_around(scene, caster, eye, directions);
         if (seen.hits < kFewestHits * seen.rays || seen.back_share() > kMostBackFaces ||
             seen.least_distance < kClearance * diagonal)
@@ -187,13 +187,14 @@ bool inside_shows_more(const Scene& scene, const RayCaster<float>& caster, const
 
 }  // namespace
 
-DefaultView choose_default_view(const Scene& scene, const RayCaster<float>& caster, double aspect, double fov_y_rad) {
-  const Orbit around = default_orbit(scene, aspect, fov_y_rad);
+DefaultView choose_default_view(const Scene& scene, const Aabb& framed, const RayCaster<float>& caster, double aspect,
+                                double fov_y_rad) {
+  const Orbit around = default_orbit(scene, framed, aspect, fov_y_rad);
   const Seen outside = look_from_all_around(scene, caster, around, aspect);
   const bool walls = outside.back_share() > kMostlyBackFaces;
   if (walls)
     if (const auto orbit = look_in(scene, caster, around, aspect)) return {Surroundings::open, *orbit};
-  const std::optional<vec3> spot = roomiest_point(scene, caster);
+  const std::optional<vec3> spot = roomiest_point(scene, framed, caster);
   if (spot && (walls ? is_roofed(scene, caster, *spot) : inside_shows_more(scene, caster, *spot, outside)))
     return {Surroundings::inside, stand_at(scene, caster, *spot, fov_y_rad)};
   return {Surroundings::outside, around};

@@ -20,12 +20,13 @@ using Silhouette = std::vector<Slice>;
 
 constexpr int kSlices = 64;
 
-Silhouette sweep(const Scene& scene) {
-  const dvec3 middle(scene.bounds.center());
-  const double bottom = scene.bounds.lo.y, height = std::max(0.0f, scene.bounds.extent().y);
+Silhouette sweep(const Scene& scene, const Aabb& framed) {
+  const dvec3 middle(framed.center());
+  const double bottom = framed.lo.y, height = std::max(0.0f, framed.extent().y);
   std::vector<double> squared(kSlices, -1.0);
   for (const uvec3& triangle : scene.triangle_positions)
     for (int corner = 0; corner < 3; ++corner) {
+      if (!framed.holds(scene.positions[triangle[corner]])) continue;
       const dvec3 p(scene.positions[triangle[corner]]);
       const double share = height > 0 ? (p.y - bottom) / height : 0;
       double& slice = squared[std::clamp(static_cast<int>(share * kSlices), 0, kSlices - 1)];
@@ -93,8 +94,8 @@ Orbit orbit_through(const Camera& camera) {
   return orbit;
 }
 
-Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad) {
-  const Silhouette silhouette = sweep(scene);
+Orbit default_orbit(const Scene& scene, const Aabb& framed, double aspect, double fov_y_rad) {
+  const Silhouette silhouette = sweep(scene, framed);
   const Picture picture{std::tan(0.5 * fov_y_rad) * aspect, std::tan(0.5 * fov_y_rad)};
 
   // The height to look at from which the camera comes nearest; the distance is convex in it.
@@ -110,7 +111,7 @@ Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad) {
   double distance = kMargin * distance_for(silhouette, height, picture);
   if (!(distance > 0)) distance = 1;  // a scene that is one point
 
-  const vec3 middle = scene.bounds.center();
+  const vec3 middle = framed.center();
   Orbit orbit;
   orbit.target_world = scene.origin_world + dvec3(middle.x, height, middle.z);
   orbit.radius = distance * std::cos(kOrbitElevation_rad);

@@ -33,8 +33,9 @@ Orbit orbit_through(const Camera& camera);
 /// The eye `fraction` (0..1) of the way through the orbit.
 Camera camera_on_orbit(const Orbit& orbit, double fraction);
 
-/// An orbit about the upright axis through the middle of the scene's box, slightly from above, and as near as possible
-/// with the whole scene in view all the way, for a picture `aspect` times as wide as high.
-Orbit default_orbit(const Scene& scene, double aspect, double fov_y_rad);
+/// An orbit about the upright axis through the middle of `framed`, slightly from above, and as near as possible with
+/// all triangles of the scene that lie in `framed` (scene space; see frame_scene()) in view all the way, for a picture
+/// `aspect` times as wide as high.
+Orbit default_orbit(const Scene& scene, const Aabb& framed, double aspect, double fov_y_rad);
 
 }  // namespace hybridrt

@@ -31,9 +31,10 @@ BenchScene load_bench_scene(const std::string& argument, ThreadPool& pool) {
   const SceneSource source = parse_scene_source(argument);
   made.scene = load_scene(source, std::nullopt, pool, warnings);
   const SceneShot shot = source.procedural ? source.procedural->shot() : SceneShot();
-  const Camera camera = shot.camera
-                            ? *shot.camera
-                            : camera_on_orbit(default_orbit(made.scene, double(kWidth_px) / kHeight_px, 0.7), 0.07);
+  const Camera camera =
+      shot.camera
+          ? *shot.camera
+          : camera_on_orbit(default_orbit(made.scene, made.scene.bounds, double(kWidth_px) / kHeight_px, 0.7), 0.07);
   made.view = make_view(camera, made.scene.origin_world, kWidth_px, kHeight_px);
   made.toward = shot.lights ? glm::normalize(shot.lights->front().toward)
                             : glm::normalize(dvec3(0, 1, 0) - 0.6 * made.view.right + 0.3 * made.view.forward);

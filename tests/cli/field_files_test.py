@@ -9,6 +9,7 @@ import unittest
 
 FIELD = os.path.join(os.path.abspath(sys.argv.pop(2)), "field")
 
+from cli_test_case import Png  # noqa: E402
 from scene_case import SceneCase  # noqa: E402, it takes the binary off the arguments
 
 
@@ -77,6 +78,36 @@ class HighlightTest(FieldCase):
 
     def test_mtl_kd255(self):
         self.told("mtl_kd255/m_kd255.obj", "1 materials have a Kd or Ks far above 1: colours of 0 to 255? ('m')")
+
+
+class SizeTest(FieldCase):
+    NEAR = ("--size", "160x120", "--eye", "4,2.5,6", "--target", "0,0,0", "--light", "2,3,1", "-q")
+
+    def differing_pixels(self, scene, one, other):
+        rows = []
+        for options in (one, other):
+            self.succeed("render", scene, *self.NEAR, *options, "-o", "near.png")
+            rows.append(b"".join(bytes(row) for row in Png.read(self.path("near.png")).rows))
+        return sum(rows[0][i:i + 3] != rows[1][i:i + 3] for i in range(0, len(rows[0]), 3))
+
+    def test_near_plane_large_scene(self):
+        for name in ("ground1e5_ok.obj", "ground3e5.obj"):
+            scene = os.path.join(FIELD, "near_plane_large_scene", name)
+            self.assertEqual(self.differing_pixels(scene, (), ("--method", "reference")), 0, name)
+
+    def test_lispsm_large_ground(self):
+        for name in ("ground1e4.obj", "ground2e4.obj"):
+            scene = os.path.join(FIELD, "lispsm_large_ground", name)
+            for shadows in ("map", "blur"):
+                warped, uniform = (self.differing_pixels(scene, ("--shadows", shadows, "--shadow-warp", warp),
+                                                         ("--method", "reference")) for warp in ("lispsm", "uniform"))
+                self.assertLessEqual(warped, uniform, (name, shadows))
+
+    def test_stray_triangle(self):
+        told = "1 triangles lie far from all others (one at 1000, 0, 0); the default camera does not frame them"
+        rows = self.told("stray_triangle/g_stray.obj", told)
+        middle = rows[12][3 * 16:3 * 17]
+        self.assertNotEqual(middle, rows[0][:3], "the cube is in the middle of the picture")
 
 
 if __name__ == "__main__":

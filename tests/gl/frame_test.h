@@ -19,7 +19,7 @@ inline RenderJob orbit_job(Scene scene, int frames, int width_px = 160, int heig
   job.settings.shadow_map_px = 1024;
   job.frames.ranges = {{1, frames, 1}};
   job.motion.sequence = {1, frames, 1};
-  job.motion.course = default_orbit(job.scene, static_cast<double>(width_px) / height_px, 0.7);
+  job.motion.course = default_orbit(job.scene, job.scene.bounds, static_cast<double>(width_px) / height_px, 0.7);
   job.lights.lights = {default_light(Surroundings::outside, camera_at(job.motion, 1), job.settings.ambient)};
   job.shaders = gl::embedded_shaders();
   return job;

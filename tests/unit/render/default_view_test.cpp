@@ -19,7 +19,7 @@ DefaultView view_of(const std::string& argument) {
   ThreadPool pool(1);
   Warnings warnings;
   const Scene scene = load_scene(argument, pool, warnings);
-  return choose_default_view(scene, *make_embree_caster(scene, 1), 4.0 / 3, 0.8);
+  return choose_default_view(scene, scene.bounds, *make_embree_caster(scene, 1), 4.0 / 3, 0.8);
 }
 
 DefaultView view_of_obj(const std::string& text) {
@@ -72,7 +72,7 @@ TEST(DefaultView, SharedScenesAreWhatTheyAre) {
 TEST(DefaultLight, ComesFromAboveLeftAndBehindTheCamera) {
   const Scene scene = boxed(vec3(-1), vec3(1));
   for (int step = 0; step < 36; ++step) {
-    const Camera camera = camera_on_orbit(default_orbit(scene, 1.5, kPi / 4), step / 36.0);
+    const Camera camera = camera_on_orbit(default_orbit(scene, scene.bounds, 1.5, kPi / 4), step / 36.0);
     const View view = make_view(camera, dvec3(0), 150, 100);
     const dvec3 toward = default_light(Surroundings::outside, camera, vec3(0.15f)).toward;
     EXPECT_NEAR(glm::length(toward), 1, 1e-12);

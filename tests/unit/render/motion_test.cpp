@@ -10,7 +10,7 @@ namespace {
 
 TEST(CameraMotion, GoesOnceAroundWithoutRepeatingAFrame) {
   CameraMotion motion;
-  motion.course = default_orbit(boxed(vec3(-1), vec3(1)), 1, kPi / 4);
+  motion.course = default_orbit(boxed(vec3(-1), vec3(1)), {vec3(-1), vec3(1)}, 1, kPi / 4);
   motion.sequence = {1, 8, 1};
   for (int frame = 1; frame <= 8; ++frame) {
     const dvec3 eye = camera_at(motion, frame).eye_world, next = camera_at(motion, frame + 1).eye_world;

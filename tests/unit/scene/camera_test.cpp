@@ -53,7 +53,7 @@ TEST(DefaultOrbit, KeepsTheWholeSceneInViewFromAllAround) {
   for (const Shape& shape : shapes())
     for (double aspect : {0.25, 0.75, 1.0, 4.0 / 3, 3.0})
       for (double fov : {0.1, kFov_rad, 1.4, 2.8}) {
-        const Orbit orbit = default_orbit(shape.scene, aspect, fov);
+        const Orbit orbit = default_orbit(shape.scene, shape.scene.bounds, aspect, fov);
         double widest = 0;
         for (int step = 0; step < 72; ++step) {
           const View view = make_view(camera_on_orbit(orbit, step / 72.0), shape.scene.origin_world,
@@ -67,7 +67,7 @@ TEST(DefaultOrbit, KeepsTheWholeSceneInViewFromAllAround) {
 }
 
 TEST(DefaultOrbit, LooksSlightlyFromAbove) {
-  const Orbit orbit = default_orbit(boxed(vec3(-1), vec3(1)), 4.0 / 3, kFov_rad);
+  const Orbit orbit = default_orbit(boxed(vec3(-1), vec3(1)), {vec3(-1), vec3(1)}, 4.0 / 3, kFov_rad);
   const double elevation_deg = std::atan2(orbit.height, orbit.radius) * 180 / kPi;
   EXPECT_GT(elevation_deg, 5);
   EXPECT_LT(elevation_deg, 45);
@@ -77,7 +77,7 @@ TEST(DefaultOrbit, LooksSlightlyFromAbove) {
 }
 
 TEST(DefaultOrbit, SceneOfOnePointStillHasACamera) {
-  const Orbit orbit = default_orbit(boxed(vec3(3), vec3(3)), 1, kFov_rad);
+  const Orbit orbit = default_orbit(boxed(vec3(3), vec3(3)), {vec3(3), vec3(3)}, 1, kFov_rad);
   EXPECT_NO_THROW(make_view(camera_on_orbit(orbit, 0.3), dvec3(0), 8, 8));
 }
 
