@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/frame_warnings.h"
 #include "cli/frame_writer.h"
 #include "cli/interrupt.h"
 #include "cli/loading_line.h"
@@ -43,6 +44,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   Reporter reporter(output, job.frames.count());
   reporter.warnings(warnings);
   FrameWriter writer(output, paths, job, threads);
+  FrameWarningsGiven given;
   Stopwatch rendering;
   const auto starting = [&](const RunFacts& so_far) {
     reporter.start(options, job, so_far);
@@ -50,6 +52,10 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   };
   const auto deliver = [&](Frame&& frame) {
     totals.add(frame);
+    if (const auto warning = frame_warning(frame, job, given)) {
+      reporter.warnings({*warning});
+      warnings.push_back(*warning);
+    }
     reporter.frame(frame, output_path(paths.pattern, frame.number));
     writer.write(std::move(frame));
   };

@@ -2,17 +2,35 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "cli/version.h"
 #include "core/base/timing.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/aov.h"
 #include "core/render/fingerprint.h"
+#include "core/scene/view.h"
 
 namespace hybridrt::cli {
 namespace {
 
 constexpr int kSheetColumns = 4, kSheetCell_px = 320, kMostSheetCells = 20;
+
+/// For the headers of pictures that keep it.
+ImageCamera image_camera(const Camera& camera, const RenderSettings& s) {
+  const View view = make_view(camera, dvec3(0), s.width_px, s.height_px);
+  const dmat4 camera_from_world = glm::lookAt(camera.eye_world, camera.eye_world + view.forward, view.up);
+  const double nearest = 1e-3 * glm::distance(camera.eye_world, camera.target_world);
+  const dmat4 ndc_from_camera =
+      glm::infinitePerspective(camera.fov_y_rad, static_cast<double>(s.width_px) / s.height_px, nearest);
+  // Columns one after the other are the rows of a matrix for row vectors.
+  const mat4 to_camera(camera_from_world), to_ndc(ndc_from_camera * camera_from_world);
+  ImageCamera result;
+  std::copy_n(glm::value_ptr(to_camera), 16, result.camera_from_world.begin());
+  std::copy_n(glm::value_ptr(to_ndc), 16, result.ndc_from_world.begin());
+  return result;
+}
 
 }  // namespace
 
@@ -39,15 +57,16 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
 
 void FrameWriter::write(Frame&& frame) {
   const int number = frame.number;
+  const FrameRequest request = frame_request(job_, number);
   const ImageMetadata metadata = {
       {"hybridrt", kVersion},
       {"settings", settings_line(job_.settings)},
-      {"fingerprint",
-       fmt::format("{:016x}", fingerprint(scene_fingerprint_, frame_request(job_, number), job_.settings))}};
+      {"fingerprint", fmt::format("{:016x}", fingerprint(scene_fingerprint_, request, job_.settings))}};
   const auto written = [this, number](double ms) { timings_.file_written(number, ms); };
   timings_.add(frame, static_cast<int>(layered_ ? 1 : 1 + frame.aovs.size()));
   if (!options_.contact_sheet.empty()) sheet_.add(frame.picture);
   if (layered_) {
+    frame.picture.camera = image_camera(request.camera, job_.settings);
     frame.picture.layers = std::move(frame.aovs);
   } else {
     for (const ImageLayer& aov : frame.aovs)

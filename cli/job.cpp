@@ -35,7 +35,7 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
   RenderJob job;
   job.settings = finished_settings(o);
   job.settings.ambient = source.ambient.value_or(job.settings.ambient);
-  job.settings.background = source.background.value_or(job.settings.background);
+  job.settings.background = o.background.value_or(source.background.value_or(job.settings.background));
   job.frames = parse_frame_spec(o.frames);
   job.motion.sequence = make_sequence(o, job.frames);
   job.gl = o.gl;

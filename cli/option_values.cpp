@@ -59,6 +59,15 @@ void parse_size(const char* option, const std::string& text, RenderSettings& set
   settings.height_px = height;
 }
 
+vec3 parse_color(const char* option, const std::string& text) {
+  const dvec3 color = parse_vector(option, text);
+  for (int i = 0; i < 3; ++i)
+    if (!(color[i] >= 0 && color[i] <= 1e6))
+      throw error(ErrorKind::usage, "{} {}: write three linear intensities, 0 or more, like 1,1,1 for white", option,
+                  text);
+  return vec3(color);
+}
+
 PixelRect parse_crop(const char* option, const std::string& text) {
   int numbers[4] = {};
   std::string_view rest = text;

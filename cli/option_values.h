@@ -24,6 +24,9 @@ dvec3 parse_vector(const char* option, const std::string& text);
 /// The same, but not all zero.
 dvec3 parse_direction(const char* option, const std::string& text);
 
+/// Three linear intensities, at least 0, between commas.
+vec3 parse_color(const char* option, const std::string& text);
+
 /// Stores WIDTHxHEIGHT in `settings`.
 void parse_size(const char* option, const std::string& text, RenderSettings& settings);
 

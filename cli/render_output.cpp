@@ -73,6 +73,9 @@ OutputPaths prepare_output(const OutputOptions& options, const SceneSource& sour
   paths.pattern = parse_output_pattern(options.pattern.empty() ? usual : options.pattern, job.frames.count() > 1);
   const fs::path first = output_path(paths.pattern, job.frames.lowest());
   require_writable_format(first);
+  if (job.settings.alpha && !keeps_alpha(first.string()))
+    throw error(ErrorKind::usage, "{}: this format has no alpha channel; with --alpha use .png, .exr or .tif",
+                first.string());
   if (!options.contact_sheet.empty()) require_writable_format(options.contact_sheet);
 
   name_tables(options, job, !is_whole(job), paths);

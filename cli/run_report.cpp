@@ -49,6 +49,7 @@ std::string processor_name() {
 std::string settings_line(const RenderSettings& s) {
   std::string line = fmt::format("{}x{} method {} shadows {} reflection-depth {}", s.width_px, s.height_px,
                                  name_of(s.method), name_of(s.shadows), s.reflection_depth);
+  if (s.alpha) line += " alpha";
   if (s.samples > 1) line += fmt::format(" samples {}", s.samples);
   if (s.crop) line += fmt::format(" crop {},{},{},{}", s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px);
   if (uses_shadow_map(s)) line += fmt::format(" shadow-map {} {}", s.shadow_map_px, name_of(s.shadow_warp));

@@ -55,7 +55,8 @@ bool arrives(int i, ivec2 pixel, vec3 side) {
   return (masked_lights >> i & 1) == 0 || (texelFetch(mask, ivec3(pixel, i), 0).r & HRT_MASK_LIT) != 0u;
 }
 
-vec3 shaded(ivec2 pixel, uint id) {
+// Colour, and HRT_ALPHA_*.
+vec4 shaded(ivec2 pixel, uint id) {
   vec3 dir = pixel_ray(pixel);
   Triangle t = fetch_triangle(id);
   vec3 weights = clamped_barycentrics(t.p0, t.p1, t.p2, dir);
@@ -72,17 +73,19 @@ vec3 shaded(ivec2 pixel, uint id) {
 #endif
   vec3 normal = shading_normal(id, weights, side);
   vec3 color = phong_unlit(kd, ke, ks_opacity.a, ambient);
+  float alpha = HRT_ALPHA_UNLIT;
   for (int i = 0; i < HRT_LIGHT_COUNT; ++i)
-    if (arrives(i, pixel, side))
+    if (arrives(i, pixel, side)) {
       color += phong_light(kd, ks, kd_ns.a, ks_opacity.a, normal, normalize(-dir), to_light[i], light[i]);
-  return use_traced != 0 ? color + texelFetch(traced, pixel, 0).rgb : color;
+      alpha = HRT_ALPHA_LIT;
+    }
+  return vec4(use_traced != 0 ? color + texelFetch(traced, pixel, 0).rgb : color, alpha);
 }
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, textureSize(ids, 0)))) return;
   uint id = texelFetch(ids, pixel, 0).r;
-  // Alpha tells a surface from the background.
-  vec4 color = id == HRT_NO_TRIANGLE ? vec4(background, 0.0) : vec4(shaded(pixel, id), 1.0);
+  vec4 color = id == HRT_NO_TRIANGLE ? vec4(background, HRT_ALPHA_BACKGROUND) : shaded(pixel, id);
   imageStore(picture, pixel, color);
 }

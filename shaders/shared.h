@@ -16,6 +16,10 @@
 
 // Shadow mask, one byte per pixel and light. Pass 2 writes LIT, 0 (shadow) or NO_RECEIVER; pass 3 adds MARKED where
 // pass 4 must ask a ray.
+// What the alpha of pass 5's picture says of a pixel. No other value is ever written.
+#define HRT_ALPHA_BACKGROUND 0.0f
+#define HRT_ALPHA_UNLIT 1.0f  // a surface at which no light arrives
+#define HRT_ALPHA_LIT 2.0f
 #define HRT_MASK_LIT 1u
 #define HRT_MASK_MARKED 2u
 #define HRT_MASK_NO_RECEIVER 4u

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,16 +12,24 @@ namespace hybridrt {
 /// Further channels of a picture, under names of their own.
 struct ImageLayer {
   std::string name;                   ///< id, depth, normal, …
-  std::vector<std::string> channels;  ///< "X", "Y", "Z"; a single unnamed one: ""
+  std::vector<std::string> channels;  ///< names in a file that names its channels: "N.X", "N.Y", "N.Z"
   std::vector<float> values;          ///< one value per pixel and channel, interleaved; or
   std::vector<uint32_t> numbers;      ///< one whole number per pixel and channel
 };
 
-/// Linear light unless said otherwise; row 0 on top, pixels left to right, channels interleaved.
+/// Where a picture was taken from, as EXR headers say it: matrices for row vectors, row after row.
+struct ImageCamera {
+  std::array<float, 16> camera_from_world{};  ///< x to the right, y up, looking along -z
+  std::array<float, 16> ndc_from_world{};     ///< -1..1 over the frame, y up
+};
+
+/// Linear light unless said otherwise; row 0 on top, pixels left to right, channels interleaved. The last of two or
+/// four channels is alpha (coverage), which the others are not multiplied by.
 struct Image {
   int width_px = 0, height_px = 0, channels = 0;
-  std::vector<float> data;         ///< width_px * height_px * channels
-  std::vector<ImageLayer> layers;  ///< kept only by formats that name their channels (EXR)
+  std::vector<float> data;            ///< width_px * height_px * channels
+  std::vector<ImageLayer> layers;     ///< kept only by formats that name their channels (EXR)
+  std::optional<ImageCamera> camera;  ///< likewise
 
   Image() = default;
   Image(int width, int height, int channel_count, float fill = 0)

@@ -49,6 +49,14 @@ Output require_writer(const std::string& format_or_name) {
               format_or_name);
 }
 
+/// Colours times alpha, as EXR holds them.
+Image associated(Image image) {
+  const int alpha = alpha_channel(image.channels);
+  for (size_t first = 0; alpha >= 0 && first < image.data.size(); first += image.channels)
+    for (int c = 0; c < alpha; ++c) image.data[first + c] *= image.data[first + alpha];
+  return image;
+}
+
 /// The image with the channels that the format can hold.
 Image with_writable_channels(const Image& image, const OIIO::ImageOutput& writer) {
   const std::string_view format = writer.format_name();
@@ -80,7 +88,7 @@ std::string description(const ImageMetadata& metadata) {
 OIIO::ImageSpec make_spec(const Image& image, std::string_view format, bool is_float, const ImageMetadata& metadata) {
   OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, is_float ? OIIO::TypeFloat : OIIO::TypeUInt8);
   if (!metadata.empty()) spec.attribute("ImageDescription", description(metadata));
-  spec.attribute("oiio:UnassociatedAlpha", 1);  // our alpha is not premultiplied: leave the colours alone
+  if (format != "openexr") spec.attribute("oiio:UnassociatedAlpha", 1);  // leave the colours alone
   // A DateTime that is not a string: the writers see that there is one, do not add the current time, and then write
   // none.
   spec.attribute("DateTime", 0);
@@ -105,7 +113,7 @@ void describe_layers(const Image& image, OIIO::ImageSpec& spec) {
   for (const ImageLayer& layer : image.layers)
     for (const std::string& channel : layer.channels) {
       HRT_CHECK_EQ(layer.values.size() + layer.numbers.size(), image.pixel_count() * layer.channels.size());
-      spec.channelnames.push_back(channel.empty() ? layer.name : layer.name + "." + channel);
+      spec.channelnames.push_back(channel);
       spec.channelformats.push_back(layer.numbers.empty() ? OIIO::TypeFloat : OIIO::TypeUInt32);
     }
   spec.nchannels = static_cast<int>(spec.channelnames.size());
@@ -145,6 +153,11 @@ bool keeps_layers(const std::string& format_or_name) {
   return writer && std::string_view(writer->format_name()) == "openexr";
 }
 
+bool keeps_alpha(const std::string& format_or_name) {
+  const Output writer = create_writer(format_or_name);
+  return writer && writer->supports("alpha");
+}
+
 void require_writable_format(const std::filesystem::path& name) { require_writer(name.string()); }
 
 std::vector<unsigned char> encode_image(const Image& linear, const std::string& format_or_name,
@@ -163,10 +176,14 @@ std::vector<unsigned char> encode_image(const Image& linear, const std::string& 
                 "extreme numbers in the scene's materials and lights",
                 format_or_name, at.x, at.y, at.channel);
 
-  const Image image = with_writable_channels(linear, *writer);
+  const Image image = with_writable_channels(format == "openexr" ? associated(linear) : linear, *writer);
   const bool is_float = format == "openexr" || format == "hdr";
   const bool layered = format == "openexr" && !image.layers.empty();
   OIIO::ImageSpec spec = make_spec(image, format, is_float, metadata);
+  if (format == "openexr" && image.camera) {
+    spec.attribute("worldtocamera", OIIO::TypeMatrix, image.camera->camera_from_world.data());
+    spec.attribute("worldToNDC", OIIO::TypeMatrix, image.camera->ndc_from_world.data());
+  }
   if (layered) {
     require_finite_layers(image, format_or_name);
     describe_layers(image, spec);

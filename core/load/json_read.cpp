@@ -121,6 +121,11 @@ double JsonPlace::number() const {
   return number;
 }
 
+bool JsonPlace::boolean() const {
+  if (!value_->is_boolean()) fail("must be true or false");
+  return value_->get<bool>();
+}
+
 std::string JsonPlace::text() const {
   if (!value_->is_string()) fail("must be a string in double quotes");
   return value_->get<std::string>();

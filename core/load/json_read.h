@@ -41,6 +41,7 @@ class JsonPlace {
 
   double number() const;  ///< finite
   std::string text() const;
+  bool boolean() const;
   dvec3 vector() const;     ///< three numbers, each below 1e30
   dvec3 direction() const;  ///< a vector that is not zero, whose length squared is a usable number
 

@@ -79,10 +79,11 @@ std::vector<DirectionalLight> parse_lights(const JsonPlace& place) {
       type.fail(name == "point" || name == "spot" || name == "environment"
                     ? fmt::format("type '{}' is not supported yet; directional lights are", name)
                     : fmt::format("{} is not known; write 'directional'", in_quotes(name)));
-    entry.only({"type", "toward", "color"});
+    entry.only({"type", "toward", "color", "shadow"});
     DirectionalLight& light = lights.emplace_back();
     light.toward = glm::normalize(entry.at("toward").direction());
     if (const auto color = entry.find("color")) light.color = parse_color(*color);
+    if (const auto shadow = entry.find("shadow")) light.casts_shadow = shadow->boolean();
   }
   return lights;
 }

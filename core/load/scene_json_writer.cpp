@@ -30,9 +30,11 @@ void write_scene_json(const std::filesystem::path& path_json, const std::string&
   }
   if (shot.lights) {
     json["lights"] = Json::array();
-    for (const DirectionalLight& light : *shot.lights)
-      json["lights"].push_back(
-          {{"type", "directional"}, {"toward", numbers(light.toward)}, {"color", color(light.color)}});
+    for (const DirectionalLight& light : *shot.lights) {
+      Json entry = {{"type", "directional"}, {"toward", numbers(light.toward)}, {"color", color(light.color)}};
+      if (!light.casts_shadow) entry["shadow"] = false;
+      json["lights"].push_back(entry);
+    }
   }
   if (shot.ambient) json["ambient"] = color(*shot.ambient);
   if (shot.background) json["background"] = color(*shot.background);

@@ -181,8 +181,10 @@ TraceStats trace_frame(const TraceJob& job, const RayCaster<Real>& caster, Threa
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x, ++in_tile) {
         const size_t index = static_cast<size_t>(y) * job.view.width_px + x;
-        const bool hit = primary[in_tile].triangle != kNoTriangle;
-        frame.picture[index] = vec4(vec3(colors[in_tile]), hit ? 1 : 0);
+        const float alpha = primary[in_tile].triangle == kNoTriangle ? HRT_ALPHA_BACKGROUND
+                            : primary[in_tile].lit == 0              ? HRT_ALPHA_UNLIT
+                                                                     : HRT_ALPHA_LIT;
+        frame.picture[index] = vec4(vec3(colors[in_tile]), alpha);
         frame.ids[index] = primary[in_tile].triangle;
         for (size_t l = 0; l < job.lights.size(); ++l)
           frame.lit[l * frame.ids.size() + index] = primary[in_tile].lit >> l & 1 ? HRT_MASK_LIT : 0;

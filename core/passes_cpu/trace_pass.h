@@ -24,7 +24,7 @@ struct TracePixels {
 TraceStats trace_pass(const TraceJob& job, const RayCaster<float>* caster, ThreadPool& pool, const TracePixels& pixels);
 
 /// Traces a whole frame on the CPU: primary rays, shadow rays if `job.shadows`, and all generations after them.
-/// `picture` is linear, alpha 1 where a surface is seen, else 0; `lit` as in TracePixels, for all lights. Real = double
+/// `picture` is linear, its alpha one of HRT_ALPHA_*; `lit` as in TracePixels, for all lights. Real = double
 /// is the reference.
 template <typename Real>
 struct TracedFrame {

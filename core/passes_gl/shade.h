@@ -26,7 +26,7 @@ struct ShadePass {
     vec3 ambient, background;
   };
   struct Out {
-    const gl::Texture& picture;  ///< RGBA32F, linear; alpha 1 where a surface is seen, else 0
+    const gl::Texture& picture;  ///< RGBA32F, linear; alpha is one of HRT_ALPHA_*
   };
   void run(const In& in, const Out& out) const;
 

@@ -57,8 +57,8 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
   const size_t pixel_count = static_cast<size_t>(view.width_px) * view.height_px;
   std::vector<ImageLayer> layers;
   // One value per pixel, or three.
-  const auto add_values = [&](const char* name, const auto& value_of) {
-    ImageLayer& layer = layers.emplace_back(ImageLayer{name, {""}, {}, {}});
+  const auto add_values = [&](const char* name, const char* channel, const auto& value_of) {
+    ImageLayer& layer = layers.emplace_back(ImageLayer{name, {channel}, {}, {}});
     for_each_kept(view, kept, [&](size_t i, int x, int y) { layer.values.push_back(value_of(i, x, y)); });
   };
   const auto add_vectors = [&](const char* name, std::vector<std::string> channels, const auto& vector_of) {
@@ -70,12 +70,12 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
   };
 
   if (aovs & kAovId) {
-    ImageLayer& layer = layers.emplace_back(ImageLayer{"id", {""}, {}, {}});
+    ImageLayer& layer = layers.emplace_back(ImageLayer{"id", {"id"}, {}, {}});
     for_each_kept(view, kept, [&](size_t i, int, int) { layer.numbers.push_back(id(i)); });
   }
-  if (aovs & kAovShadow) add_values("shadow", [&](size_t i, int, int) { return arriving_share(source, i); });
+  if (aovs & kAovShadow) add_values("shadow", "shadow", [&](size_t i, int, int) { return arriving_share(source, i); });
   if (aovs & kAovMarked)
-    add_values("marked", [&](size_t i, int, int) {
+    add_values("marked", "marked", [&](size_t i, int, int) {
       unsigned bits = 0;
       for (size_t at = i; at < source.mask.size(); at += pixel_count)
         if (source.lights[at / pixel_count].casts_shadow) bits |= source.mask[at];
@@ -84,15 +84,15 @@ std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const Pi
       return bits & HRT_MASK_INSIDE ? float{kMarkedInside} : float{kMarkedBoundary};
     });
   if (aovs & kAovTraced)
-    add_vectors("traced", {"R", "G", "B"},
+    add_vectors("traced", {"traced.R", "traced.G", "traced.B"},
                 [&](size_t i, int, int) { return source.traced.empty() ? vec3(0) : vec3(source.traced[i]); });
   if (aovs & kAovDepth)
-    add_values("depth", [&](size_t i, int x, int y) {
-      if (id(i) == kNoTriangle) return 0.0f;
+    add_values("depth", "Z", [&](size_t i, int x, int y) {
+      if (id(i) == kNoTriangle) return kDepthOfNothing;
       return static_cast<float>(glm::dot(surface_of(scene, view, id(i), x, y).point - view.eye, view.forward));
     });
   if (aovs & kAovNormal)
-    add_vectors("normal", {"X", "Y", "Z"}, [&](size_t i, int x, int y) {
+    add_vectors("normal", {"N.X", "N.Y", "N.Z"}, [&](size_t i, int x, int y) {
       return id(i) == kNoTriangle ? vec3(0) : vec3(surface_of(scene, view, id(i), x, y).normal);
     });
   return layers;
@@ -104,8 +104,10 @@ Image display_image(const ImageLayer& aov, int width_px, int height_px) {
   Image image(width_px, height_px, 3);
   const size_t pixels = image.pixel_count(), channels = aov.channels.size();
   HRT_CHECK_EQ(aov.values.size() + aov.numbers.size(), pixels * channels);
-  const float farthest =
-      aov.name == "depth" && pixels > 0 ? *std::max_element(aov.values.begin(), aov.values.end()) : 0;
+  const bool is_depth = aov.name == "depth";
+  float farthest = 0;
+  for (float value : aov.values)
+    if (is_depth && value < kDepthOfNothing) farthest = std::max(farthest, value);
   const float scale = farthest > 0 ? 1 / farthest : 1;
   for (size_t i = 0; i < pixels; ++i) {
     vec3 color(0);
@@ -114,7 +116,7 @@ Image display_image(const ImageLayer& aov, int width_px, int height_px) {
     } else if (aov.name == "marked") {
       color = kMarkColors[static_cast<int>(aov.values[i])];
     } else if (channels == 1) {
-      color = vec3(scale * aov.values[i]);
+      color = vec3(is_depth && aov.values[i] >= kDepthOfNothing ? 0 : scale * aov.values[i]);
     } else {
       color = vec3(aov.values[3 * i], aov.values[3 * i + 1], aov.values[3 * i + 2]);
       if (aov.name == "normal" && color != vec3(0)) color = vec3(0.5f) + 0.5f * color;

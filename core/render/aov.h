@@ -16,13 +16,18 @@ struct AovSource {
   std::span<const vec4> traced;
 };
 
+/// The depth where nothing is seen: far behind everything, as compositing programs expect.
+constexpr float kDepthOfNothing = 1e10f;
+
 /// The AOVs in `aovs` (Aov bits), for the part `kept` of the view's pixels, 0 where the frame has no value:
 ///  - id: triangle numbers, kNoTriangle where none is seen
 ///  - shadow: of the lights that cast shadows, the share that arrives; 1 or 0 with one light
 ///  - marked: the MarkReason of any light
 ///  - traced: R, G, B, linear
-///  - depth: distance along the view, in scene units
-///  - normal: X, Y, Z of the shading normal, -1..1
+///  - depth: distance along the view, in scene units; kDepthOfNothing where nothing is seen
+///  - normal: X, Y, Z of the shading normal in world space (y up), -1..1, unit
+///
+/// Channels are named as compositing programs read them: id, shadow, marked, traced.R, Z, N.X and so on.
 std::vector<ImageLayer> make_aovs(const Scene& scene, const View& view, const PixelRect& kept, const AovSource& source,
                                   uint32_t aovs);
 

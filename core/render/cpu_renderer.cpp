@@ -31,7 +31,7 @@ void render_on_cpu(const Scene& scene, const SceneFacts& facts, const Topology& 
     frame.timings[PassId::trace] = tracing.elapsed_ms();
 
     const Stopwatch unpacking;
-    frame.picture = picture_from_rgba(picture.data(), part.width_px, part.height_px, kept, frame.stats.pixels_hit);
+    frame.picture = picture_from_rgba(picture.data(), part.width_px, part.height_px, kept, settings.alpha, frame.stats);
     frame.timings[PassId::download] = unpacking.elapsed_ms();
     frame.aovs = make_aovs(scene, plan.view, kept, {plan.lights, ids, {}, lit, {}}, settings.aovs);
     frame.timings.wall_ms = since_last_frame.elapsed_ms();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "shaders/shared.h"
 
 namespace hybridrt {
 
@@ -12,22 +13,29 @@ TraceJob make_trace_job(const Scene& scene, const FramePlan& plan, const RenderS
   return job;
 }
 
-Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const PixelRect& kept, int64_t& pixels_hit) {
-  const auto unwritten = [](const vec4& pixel) { return pixel.a != 1.0f && pixel.a != 0.0f; };
+Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const PixelRect& kept, bool with_alpha,
+                        TraceStats& stats) {
+  const auto unwritten = [](const vec4& pixel) {
+    return pixel.a != HRT_ALPHA_BACKGROUND && pixel.a != HRT_ALPHA_UNLIT && pixel.a != HRT_ALPHA_LIT;
+  };
   const size_t count = static_cast<size_t>(width_px) * height_px;
   if (const auto bad = std::count_if(rgba, rgba + count, unwritten))
     throw error(ErrorKind::device, "the GL driver left {} of {} pixels unwritten", bad, count);
 
-  Image picture(kept.width_px, kept.height_px, 3);
+  Image picture(kept.width_px, kept.height_px, with_alpha ? 4 : 3);
   float* out = picture.data.data();
-  pixels_hit = 0;
+  stats.pixels_hit = stats.pixels_lit = 0;
   for (int y = kept.y_px; y < kept.y_px + kept.height_px; ++y) {
     const vec4* row = rgba + static_cast<size_t>(y) * width_px + kept.x_px;
     for (int x = 0; x < kept.width_px; ++x) {
-      pixels_hit += row[x].a == 1.0f;
-      *out++ = row[x].r;
-      *out++ = row[x].g;
-      *out++ = row[x].b;
+      const bool hit = row[x].a != HRT_ALPHA_BACKGROUND;
+      stats.pixels_hit += hit;
+      stats.pixels_lit += row[x].a == HRT_ALPHA_LIT;
+      const vec3 color = with_alpha && !hit ? vec3(0) : vec3(row[x]);
+      *out++ = color.r;
+      *out++ = color.g;
+      *out++ = color.b;
+      if (with_alpha) *out++ = hit ? 1.0f : 0.0f;
     }
   }
   return picture;

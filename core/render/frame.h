@@ -15,7 +15,7 @@ namespace hybridrt {
 /// A finished frame.
 struct Frame {
   int number = 1;
-  Image picture;                 ///< three channels, linear
+  Image picture;                 ///< linear; three channels, or four if the settings ask for alpha
   std::vector<ImageLayer> aovs;  ///< as asked for (aov.h), of the same pixels
   FrameTimings timings;
   TraceStats stats;
@@ -28,9 +28,10 @@ TraceJob make_trace_job(const Scene& scene, const FramePlan& plan, const RenderS
 using NextFrame = std::function<std::optional<FrameRequest>()>;
 using DeliverFrame = std::function<void(Frame&&)>;
 
-/// Splits RGBA pixels (alpha 1 where a surface is seen, 0 elsewhere), or the part `kept` of them, into a three-channel
-/// picture and the number of its pixels that see a surface. Throws Error(device) for any other alpha: such pixels were
-/// never written.
-Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const PixelRect& kept, int64_t& pixels_hit);
+/// The part `kept` of pixels whose alpha is one of HRT_ALPHA_* as a picture with three channels, or with four: then
+/// alpha is 1 where a surface is seen, and all is 0 elsewhere. Counts `pixels_hit` and `pixels_lit` in `stats`. Throws
+/// Error(device) for any other alpha: such pixels were never written.
+Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const PixelRect& kept, bool with_alpha,
+                        TraceStats& stats);
 
 }  // namespace hybridrt

@@ -257,7 +257,7 @@ Frame GlRenderer::make_frame(FrameSlot& slot) const {
   frame.stats = slot.cpu.stats;
   const Stopwatch unpacking;
   frame.picture = picture_from_rgba(static_cast<const vec4*>(picture_readback_.data()), plan.view.width_px,
-                                    plan.view.height_px, kept, frame.stats.pixels_hit);
+                                    plan.view.height_px, kept, settings_.alpha, frame.stats);
   const double unpacking_ms = unpacking.elapsed_ms();
   for (size_t pass = 0; pass < slot.timers.size(); ++pass) frame.timings.pass_ms[pass] = slot.timers[pass].elapsed_ms();
   frame.timings[PassId::id] -= frame.timings[PassId::shadow_map];  // which runs between ids and shadow test

@@ -3,7 +3,25 @@
 #include <cmath>
 #include <memory>
 
+#include "core/image/srgb.h"
+
 namespace hybridrt {
+namespace {
+
+/// `sum`: of `samples` pictures. Where there is alpha, colours are the mean of the samples that see a surface.
+void take_mean(Image& sum, int samples) {
+  const int alpha = alpha_channel(sum.channels);
+  for (size_t first = 0; first < sum.data.size(); first += sum.channels) {
+    const float seen = alpha >= 0 ? sum.data[first + alpha] : static_cast<float>(samples);
+    for (int c = 0; c < sum.channels; ++c)
+      if (c == alpha)
+        sum.data[first + c] /= static_cast<float>(samples);
+      else if (seen > 0)
+        sum.data[first + c] /= seen;
+  }
+}
+
+}  // namespace
 
 dvec2 sample_offset_px(int sample) {
   constexpr double kPlastic = 1.32471795724474602596;  // the real root of x^3 = x + 1
@@ -47,7 +65,7 @@ DeliverFrame averaged(DeliverFrame deliver, int samples) {
       sum.stats.add(frame.stats);
     }
     if (state->taken < samples) return;
-    for (float& value : sum.picture.data) value /= static_cast<float>(samples);
+    take_mean(sum.picture, samples);
     state->taken = 0;
     deliver(std::move(sum));
   };

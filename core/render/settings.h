@@ -37,8 +37,8 @@ enum Aov : uint32_t {
   kAovShadow = 2,   ///< white where the light arrives
   kAovMarked = 4,   ///< where pass 3 marked, and why: MarkReason
   kAovTraced = 8,   ///< light of reflected and refracted rays
-  kAovDepth = 16,   ///< distance along the view, as a share of the farthest
-  kAovNormal = 32,  ///< shading normal, (n + 1) / 2
+  kAovDepth = 16,   ///< distance along the view
+  kAovNormal = 32,  ///< shading normal
 };
 
 inline constexpr Named<uint32_t> kAovs[] = {{"id", kAovId},         {"shadow", kAovShadow}, {"marked", kAovMarked},
@@ -75,6 +75,7 @@ struct RenderSettings {
   uint32_t aovs = 0;      ///< Aov bits
   vec3 ambient{0.15f};    ///< light from everywhere, times Kd; linear
   vec3 background{0.7f};  ///< linear
+  bool alpha = false;     ///< pictures with a fourth channel, coverage, in place of the background
 };
 
 /// The part of the frame that is delivered: the crop, or all of it.

@@ -35,8 +35,8 @@ dvec3 robust_middle(const Scene& scene) {
   const size_t step = 1 + scene.triangle_count() / kSample;
   std::vector<Piece> pieces;
   for (size_t i = 0; i < scene.triangle_count(); i += step) pieces.push_back(piece(scene, static_cast<uint32_t>(i)));
-  const double area = std::accumulate(pieces.begin(), pieces.end(), 0.0,
-                                      [](double sum, const Piece& p) { return sum + p.area; });
+  const double area =
+      std::accumulate(pieces.begin(), pieces.end(), 0.0, [](double sum, const Piece& p) { return sum + p.area; });
   return {median_along(0, pieces, area), median_along(1, pieces, area), median_along(2, pieces, area)};
 }
 

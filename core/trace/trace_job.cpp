@@ -4,6 +4,7 @@ namespace hybridrt {
 
 void TraceStats::add(const TraceStats& other) {
   pixels_hit += other.pixels_hit;
+  pixels_lit += other.pixels_lit;
   pixels_marked += other.pixels_marked;
   pixels_reflective += other.pixels_reflective;
   pixels_refractive += other.pixels_refractive;

@@ -48,6 +48,8 @@ struct TraceStats {
   int64_t pixels_suspect = 0, pixels_repaired = 0;  ///< see RepairStats
   double repair_ms = 0;                             ///< wall time of repair_primary_hits()
 
+  int64_t pixels_lit = 0;  ///< those of pixels_hit at which some light arrives
+
   void add(const TraceStats& other);
 };
 

@@ -60,10 +60,11 @@ class OpacityTest(FieldCase):
         bmp, png = self.told(folder + "x_t32_bmp.obj"), self.told(folder + "x_t_alpha0_png.obj", opaque)
         for rows in (bmp, png):
             self.assertGreater(len({tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}), 8, "a texture")
-        self.told(folder + "x_t_alphahalf_png.obj", "all its 12 triangles are invisible (its texture is all holes)")
+        self.told(folder + "x_t_alphahalf_png.obj", "all its 12 triangles are invisible (its texture is all holes)",
+                  "frame 1 shows nothing")
 
     def test_invisible_d0(self):
-        self.told("invisible_d0/m_d0.obj", "material 'm': all its 12 triangles are invisible (d 0)")
+        self.told("invisible_d0/m_d0.obj", "material 'm': all its 12 triangles are invisible (d 0)", "frame 1 shows nothing")
 
 
 class HighlightTest(FieldCase):

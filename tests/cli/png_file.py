@@ -5,10 +5,10 @@ import zlib
 
 
 class Png:
-    """8-bit PNG files without interlacing: three channels as rows of bytes."""
+    """8-bit PNG files without interlacing: three channels (or four) as rows of bytes."""
 
-    def __init__(self, width, height, rows):
-        self.width, self.height, self.rows = width, height, rows
+    def __init__(self, width, height, rows, channels=3):
+        self.width, self.height, self.rows, self.channels = width, height, rows, channels
 
     @staticmethod
     def read(path):
@@ -22,25 +22,27 @@ class Png:
             assert struct.unpack(">I", data[place + 8 + length:place + 12 + length])[0] == zlib.crc32(kind + body)
             if kind == b"IHDR":
                 width, height, depth, color, _, _, interlace = struct.unpack(">IIBBBBB", body)
-                assert (depth, color, interlace) == (8, 2, 0), path
+                assert depth == 8 and color in (2, 6) and interlace == 0, path
+                channels = 3 if color == 2 else 4
             if kind == b"IDAT":
                 packed += body
             place += 12 + length
             if kind == b"IEND":
                 break
         assert kind == b"IEND" and place == len(data), f"{path} is cut short"
-        return Png(width, height, Png._unfiltered(zlib.decompress(packed), width, height))
+        return Png(width, height, Png._unfiltered(zlib.decompress(packed), width, height, channels), channels)
 
     @staticmethod
-    def _unfiltered(raw, width, height):
-        stride, rows, above = 3 * width, [], bytearray(3 * width)
+    def _unfiltered(raw, width, height, channels):
+        stride = channels * width
+        rows, above = [], bytearray(stride)
         assert len(raw) == (stride + 1) * height
         for y in range(height):
             kind = raw[y * (stride + 1)]
             row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
             for i in range(stride):
-                left = row[i - 3] if i >= 3 else 0
-                corner = above[i - 3] if i >= 3 else 0
+                left = row[i - channels] if i >= channels else 0
+                corner = above[i - channels] if i >= channels else 0
                 row[i] = (row[i] + (0, left, above[i], (left + above[i]) // 2,
                                     _paeth(left, above[i], corner))[kind]) & 255
             rows.append(row)
@@ -58,7 +60,7 @@ class Png:
                        chunk(b"IEND", b""))
 
     def pixel(self, x, y):
-        return tuple(self.rows[y][3 * x:3 * x + 3])
+        return tuple(self.rows[y][self.channels * x:self.channels * (x + 1)])
 
 
 def _paeth(left, above, corner):

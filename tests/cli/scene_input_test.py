@@ -255,7 +255,7 @@ class SceneInputTest(unittest.TestCase):
         self.assertEqual([name for name in os.listdir(self.folder.name) if name.endswith(".exr")], ["l.exr"])
         with open(self.path("l.exr"), "rb") as file:
             header = file.read(2000)
-        for channel, kind in (("R", 2), ("id", 0), ("shadow", 2), ("depth", 2), ("normal.X", 2), ("normal.Z", 2)):
+        for channel, kind in (("R", 2), ("id", 0), ("shadow", 2), ("Z", 2), ("N.X", 2), ("N.Z", 2)):
             self.assertIn(channel.encode() + b"\0" + struct.pack("<i", kind), header, channel)
 
     def test_meshes_far_from_the_origin(self):

@@ -30,7 +30,7 @@ struct SceneFile : testing::Test {
 
 TEST_F(SceneFile, ReadsEverything) {
   const SceneSource scene = read(R"({"meshes":["a.obj","sub/../b.PLY"],"up_axis":"z",
-    "lights":[{"type":"directional","toward":[0,0,4],"color":[1,0.5,0.25]},{"type":"directional","toward":[-9,0,0]}],
+    "lights":[{"type":"directional","toward":[0,0,4],"color":[1,0.5,0.25]},{"type":"directional","toward":[-9,0,0],"shadow":false}],
     "ambient":[0.1,0.2,0.3],"background":0.5,"glass":["pane","lens"],"opaque":["wall"],
     "settings":{"size":"64x48","reflection-depth":2,"fov":40.5,"require-hardware":true,"aov":["id","depth"],"light":[1,2,3],
                 "camera":"c.json"}})");
@@ -43,6 +43,8 @@ TEST_F(SceneFile, ReadsEverything) {
   EXPECT_EQ(scene.lights->at(0).color, vec3(1, 0.5f, 0.25f));
   EXPECT_EQ(scene.lights->at(1).toward, dvec3(-1, 0, 0));
   EXPECT_EQ(scene.lights->at(1).color, vec3(1));
+  EXPECT_TRUE(scene.lights->at(0).casts_shadow);
+  EXPECT_FALSE(scene.lights->at(1).casts_shadow);
   EXPECT_EQ(scene.ambient, vec3(0.1f, 0.2f, 0.3f));
   EXPECT_EQ(scene.background, vec3(0.5f));
   EXPECT_EQ(scene.kinds.glass, (std::vector<string>{"pane", "lens"}));

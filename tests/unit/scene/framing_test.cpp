@@ -29,8 +29,7 @@ TEST(Framing, LeavesOutWhatLiesAtSeveralDistances) {
     Scene scene = random_soup(i, 2000, 0.3f);
     const Aabb soup = scene.bounds;
     const int specks = 1 + static_cast<int>(random.below(20));  // 1 % of the triangles
-    for (int k = 0; k < specks; ++k)
-      add_speck(scene, std::pow(10.0f, random.between(1.6f, 5)) * random.direction());
+    for (int k = 0; k < specks; ++k) add_speck(scene, std::pow(10.0f, random.between(1.6f, 5)) * random.direction());
     const Framing framing = frame_scene(scene);
     EXPECT_EQ(framing.left_out, specks);
     EXPECT_EQ(framing.bounds.lo, soup.lo);

@@ -1,0 +1,111 @@
+"""What a picture holds besides colours: coverage, background, camera; and warnings of pictures that show nothing."""
+
+import json
+import os
+import struct
+import unittest
+
+from cli_test_case import SCENE, SMALL, CliTestCase, Png
+
+BOX = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n" \
+      "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+METHODS = ("hybrid", "raster", "raytrace", "reference")
+
+
+class AlphaTest(CliTestCase):
+    def png(self, *options):
+        self.render(*options, "-o", "a.png")
+        return Png.read(self.path("a.png"))
+
+    def test_alpha_is_coverage(self):
+        for method in METHODS:
+            plain, cut = self.png("--method", method), self.png("--method", method, "--alpha")
+            self.assertEqual((plain.channels, cut.channels), (3, 4))
+            for y in range(plain.height):
+                for x in range(plain.width):
+                    *color, alpha = cut.pixel(x, y)
+                    self.assertIn(alpha, (0, 255))
+                    self.assertEqual(tuple(color), plain.pixel(x, y) if alpha else (0, 0, 0))
+
+    def test_alpha_of_samples(self):
+        cut = self.png("--alpha", "--samples", "4")
+        alphas = {cut.pixel(x, y)[3] for y in range(cut.height) for x in range(cut.width)}
+        self.assertEqual(alphas, {0, 64, 128, 191, 255})
+        # At an edge the colour is the surface's alone, however little it covers.
+        background = self.png("--alpha", "--samples", "4", "--background", "9,0,0")
+        self.assertTrue(all(background.pixel(x, y)[3] == cut.pixel(x, y)[3] for y in range(72) for x in range(96)))
+
+    def test_formats_without_alpha_are_refused(self):
+        self.fail_with(2, "render", SCENE, *SMALL, "--alpha", "-o", "a.jpg", says=("a.jpg", "--alpha", ".png"))
+        self.assertEqual(self.files(), [])
+
+    def test_background(self):
+        for method in METHODS:
+            self.assertEqual(self.png("--method", method, "--background", "1,0,0.25").pixel(0, 0), (255, 0, 137))
+        self.write("scene.json", json.dumps({"meshes": ["box.obj"], "background": [0, 1, 0]}))
+        self.write("box.obj", BOX)
+        self.succeed("render", "scene.json", *SMALL, "-q", "-o", "b.png")
+        self.assertEqual(Png.read(self.path("b.png")).pixel(0, 0), (0, 255, 0))
+        self.succeed("render", "scene.json", *SMALL, "-q", "-o", "b.png", "--background", "0,0,1")
+        self.assertEqual(Png.read(self.path("b.png")).pixel(0, 0), (0, 0, 255))
+        self.fail_with(2, "render", SCENE, "--background", "-1,0,0", says="--background")
+
+
+class ExrHeaderTest(CliTestCase):
+    def matrix(self, name):
+        data = self.read("a.exr")
+        start = data.index(name.encode() + b"\0m44f\0") + len(name) + 6 + 4
+        return struct.unpack("<16f", data[start:start + 64])
+
+    def project(self, matrix, point):
+        row = (*point, 1)
+        x, y, z, w = (sum(row[k] * matrix[4 * k + i] for k in range(4)) for i in range(4))
+        return x / w, y / w, z / w
+
+    def test_camera(self):
+        self.render("--eye", "3,2,5", "--target", "1,0,-1", "--fov", "40", "-o", "a.exr")
+        x, y, z = self.project(self.matrix("worldToCamera"), (1, 0, -1))
+        self.assertAlmostEqual(x, 0, places=5)
+        self.assertAlmostEqual(y, 0, places=5)
+        self.assertAlmostEqual(z, -(4 + 4 + 36) ** 0.5, places=4)
+        x, y, _ = self.project(self.matrix("worldToNDC"), (1, 0, -1))
+        self.assertAlmostEqual(x, 0, places=5)
+        self.assertAlmostEqual(y, 0, places=5)
+        self.assertGreater(self.project(self.matrix("worldToNDC"), (1, 0.5, -1))[1], 0.1, "y up")
+
+
+class NothingToSeeTest(CliTestCase):
+    def warnings_of(self, *options):
+        self.write("box.obj", BOX)
+        done = self.succeed("render", "box.obj", *SMALL, "-q", "-o", "x.####.png", *options)
+        return done.stderr.splitlines()
+
+    def test_empty(self):
+        for method in METHODS:
+            lines = self.warnings_of("--eye", "0,0,9", "--target", "0,0,20", "--method", method, "--frames", "3")
+            self.assertEqual(len(lines), 1, lines)
+            self.assertIn("frame 1 shows nothing but background", lines[0])
+        with open(self.path("run.json"), encoding="utf-8") as file:
+            self.assertEqual(len(json.load(file)["warnings"]), 1)
+
+    def test_dark(self):
+        for method, shadows in (("hybrid", "exact"), ("hybrid", "none"), ("hybrid", "map"), ("raster", "map"),
+                                ("raytrace", "rays"), ("reference", "rays")):
+            dark = ("--eye", "0.5,0.5,4", "--target", "0.5,0.5,0", "--method", method, "--shadows", shadows)
+            lines = self.warnings_of(*dark, "--light", "0,0,-1", "--frames", "2")
+            self.assertEqual(len(lines), 1, lines)
+            self.assertIn("frame 1: no light arrives at anything in view", lines[0])
+            self.assertEqual(self.warnings_of(*dark, "--light", "0,0,1"), [])
+
+    def test_no_lights_is_not_dark(self):
+        self.write("box.obj", BOX)
+        self.write("unlit.json", json.dumps({"meshes": ["box.obj"], "lights": []}))
+        self.assertEqual(self.succeed("render", "unlit.json", *SMALL, "-q").stderr, "")
+
+    def test_crops_may_be_empty(self):
+        self.assertEqual(self.warnings_of("--crop", "0,0,4,4"), [])
+        self.assertEqual(os.path.exists(self.path("x.0001.png")), True)
+
+
+if __name__ == "__main__":
+    unittest.main()
