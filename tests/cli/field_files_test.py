@@ -64,7 +64,7 @@ class OpacityTest(FieldCase):
                   "frame 1 shows nothing")
 
     def test_invisible_d0(self):
-        self.told("invisible_d0/m_d0.obj", "material 'm': all its 12 triangles are invisible (d 0)", "frame 1 shows nothing")
+        self.told("invisible_d0/m_d0.obj", "material 'm': all its 12 triangles are invisible (d 0)")
 
 
 class HighlightTest(FieldCase):
