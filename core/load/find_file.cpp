@@ -1,11 +1,10 @@
 #include "core/load/find_file.h"
 
-#include <locale.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cwchar>
 #include <cwctype>
+#include <locale.h>
 #include <set>
 
 #include "core/load/text_scan.h"
