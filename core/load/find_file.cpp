@@ -69,7 +69,7 @@ std::vector<std::string> parts_of(const std::string& name) {
 
 }  // namespace
 
-std::string lower_case(std::string_view text) {
+std::string fold_case(std::string_view text) {
   std::string ascii(text);
   for (char& c : ascii)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
@@ -158,7 +158,7 @@ fs::path FileFinder::walk(const fs::path& folder, const std::vector<std::string>
   };
   fs::path found = below(parts[next]);
   if (!found.empty() || parts[next] == "..") return found;
-  const auto [begin, end] = list(folder).equal_range(lower_case(parts[next]));
+  const auto [begin, end] = list(folder).equal_range(fold_case(parts[next]));
   std::set<std::string> others;  // in the order of bytes
   for (auto entry = begin; entry != end; ++entry) others.insert(entry->second);
   for (const std::string& other : others)
@@ -174,7 +174,7 @@ const FileFinder::Listing& FileFinder::list(const fs::path& folder) {
   fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, unreadable);
   for (; !unreadable && entry != fs::directory_iterator(); entry.increment(unreadable)) {
     std::string name = entry->path().filename().string();
-    std::string lower = lower_case(name);
+    std::string lower = fold_case(name);
     listing->second.emplace(std::move(lower), std::move(name));
   }
   return listing->second;

@@ -47,6 +47,6 @@ class FileFinder {
 };
 
 /// `text` in lower case where it is UTF-8, whatever the locale; other bytes stay.
-std::string lower_case(std::string_view text);
+std::string fold_case(std::string_view text);
 
 }  // namespace hybridrt

@@ -72,7 +72,7 @@ void take_colors(MeshData& mesh, size_t first_triangle, uint32_t first_vertex, b
   const bool of_vertices = mesh.triangle_colors.empty();
   const auto tell = [&](std::vector<std::string>& where, const std::string& what) {
     where.push_back(fmt::format("{}: the colours of its {} {}", mesh.path.filename().string(),
-                                   of_vertices ? "vertices" : "faces", what));
+                                of_vertices ? "vertices" : "faces", what));
   };
   const float full = full_brightness(mesh.colors, mesh.color_full);
   if (all_are(mesh.colors, false, full)) return tell(warnings, "are all black and were left out");
@@ -87,7 +87,8 @@ void take_colors(MeshData& mesh, size_t first_triangle, uint32_t first_vertex, b
   for (const Material& material : scene.materials) mapped.push_back(has_diffuse_map(material));
   Uses uses;
   for (size_t i = first_triangle; i < scene.triangle_count(); ++i) {
-    const uvec3 colors = of_vertices ? scene.triangle_positions[i] - first_vertex : mesh.triangle_colors[i - first_triangle];
+    const uvec3 colors =
+        of_vertices ? scene.triangle_positions[i] - first_vertex : mesh.triangle_colors[i - first_triangle];
     uvec3& corners = scene.triangle_colors.emplace_back(kWhite);
     uint32_t& material = scene.triangle_materials[i];
     const bool has_map = material != 0 && material <= mapped.size() && mapped[material - 1];
@@ -115,7 +116,7 @@ void take_colors(MeshData& mesh, size_t first_triangle, uint32_t first_vertex, b
   if (uses.with_kd > 0) done.push_back(fmt::format("multiply Kd of {} triangles", uses.with_kd));
   if (uses.with_map > 0) done.push_back(fmt::format("were left out on {} triangles with a map_Kd", uses.with_map));
   tell(uses.with_map > 0 ? warnings : scene.notes,
-  fmt::format("({}, 0 to {:g}) {}", linear ? "linear" : "sRGB", full, fmt::join(done, ", ")));
+       fmt::format("({}, 0 to {:g}) {}", linear ? "linear" : "sRGB", full, fmt::join(done, ", ")));
 }
 
 }  // namespace hybridrt

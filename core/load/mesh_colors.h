@@ -18,7 +18,8 @@ bool has_plain_colors(const std::vector<vec3>& colors, float full);
 /// Appends a mesh's colours to those of the scene. The mesh's triangles are the scene's from `first_triangle` on, and
 /// its vertex 0 is the scene's `first_vertex`; their materials are 1 + an index, 0 for none.
 ///  - Colours are decoded from sRGB, unless they are `linear`.
-///  - Triangles with a colour and without a material get a material of Kd 1: `colored_material`, 1 + its index, which is
+///  - Triangles with a colour and without a material get a material of Kd 1: `colored_material`, 1 + its index, which
+///  is
 ///    made if it is 0.
 ///  - Triangles whose material has a map_Kd, and corners without a colour, are white.
 /// Nothing is kept where all are black or all white, or no triangle uses one. One line says what was done: a warning if

@@ -9,6 +9,7 @@
 #include "core/load/mtl_opacity.h"
 #include "core/load/text_lines.h"
 #include "core/load/text_scan.h"
+#include "core/load/texture_finds.h"
 #include "core/load/texture_name.h"
 
 namespace hybridrt {
@@ -58,9 +59,7 @@ std::optional<MapKind> map_kind(std::string_view keyword) {
 
 struct Tallies {
   Tally unread_kinds, foreign_colors, bad_ni, bad_illum;
-  size_t first_missing_line = 0;
-  NameList missing_textures, moved_textures, large_colors, tr_ignored, illum_ignored;
-  std::string first_moved_to;
+  NameList large_colors, tr_ignored, illum_ignored;
 };
 
 constexpr float kDefaultExponent = 30;  // of a Ks without Ns; 0 would be no highlight
@@ -75,7 +74,7 @@ struct Reading {
 };
 
 /// Keeps the texture; counts what is wrong with its name.
-void read_texture(const Statement& s, const std::string& keyword, FileFinder& files, Reading& reading,
+void read_texture(const Statement& s, const std::string& keyword, TextureFinds& files, Reading& reading,
                   Tallies& tallies) {
   const std::optional<MapKind> kind = map_kind(keyword);
   std::vector<TextureMap>& maps = reading.material.maps;
@@ -84,23 +83,15 @@ void read_texture(const Statement& s, const std::string& keyword, FileFinder& fi
   if (texture.name.empty()) return;
 
   const size_t line = s.lines.line_number();
-  const FoundFile& file = files.find(texture.name);
-  if (file.path.empty()) {
-    if (tallies.missing_textures.count() == 0) tallies.first_missing_line = line;
-    tallies.missing_textures.add(texture.name);
-  }
+  const std::filesystem::path& file = files.find(texture.name, line, kind.has_value());
   if (!kind && keyword != "map_ka") tallies.unread_kinds.add(line);  // Ka itself does not count
   if (!kind) return;
-  if (!file.path.empty() && file.regular && !file.as_written) {
-    if (tallies.moved_textures.count() == 0) tallies.first_moved_to = file.path.string();
-    tallies.moved_textures.add(texture.name);
-  }
   texture.map.kind = *kind;
-  texture.map.path = file.path;
+  texture.map.path = file;
   maps.push_back(std::move(texture.map));
 }
 
-void read_statement(Statement& s, FileFinder& files, Reading& reading, Tallies& tallies) {
+void read_statement(Statement& s, TextureFinds& files, Reading& reading, Tallies& tallies) {
   Material& m = reading.material;
   const size_t line = s.lines.line_number();
   const auto color = [&](vec3& to) {
@@ -128,7 +119,7 @@ void read_statement(Statement& s, FileFinder& files, Reading& reading, Tallies& 
     const bool known = model >= 0 && model <= 10 && model == std::floor(model);
     m.illum = known ? static_cast<int>(model) : 2;
     if (!known) tallies.bad_illum.add(line);
-  } else if (const std::string keyword = lower_case(s.name); names_a_texture(keyword)) {
+  } else if (const std::string keyword = fold_case(s.name); names_a_texture(keyword)) {
     read_texture(s, keyword, files, reading, tallies);
   }  // Ka and the rest are not used
 }
@@ -164,15 +155,10 @@ void finish_material(Reading& reading, const MaterialKinds& kinds, Tallies& tall
   materials.push_back(std::move(reading.material));
 }
 
-void report_tallies(const Tallies& tallies, const std::filesystem::path& path, Warnings& warnings) {
+void report_tallies(const Tallies& tallies, const TextureFinds& files, const std::filesystem::path& path,
+                    Warnings& warnings) {
   report(tallies.unread_kinds, "texture maps (bump, disp and others) are not read yet", path, warnings);
-  report(Tally{tallies.missing_textures.count(), tallies.first_missing_line},
-         fmt::format("texture files are missing ({})", tallies.missing_textures.text()), path, warnings);
-  if (tallies.moved_textures.count() > 0)
-    warnings.push_back(fmt::format(
-        "{}: {} texture names lead to no file as written; found by case, decoding or their last part ({}; first as {})",
-        path.filename().string(), tallies.moved_textures.count(), tallies.moved_textures.text(),
-        tallies.first_moved_to));
+  files.report(path, warnings);
   report(tallies.foreign_colors, "colours are given as spectral or xyz, which are not read", path, warnings);
   report(tallies.bad_ni, "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
   report(tallies.bad_illum, "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);
@@ -201,7 +187,7 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
   TextLines lines(path, LineJoin::none);
   std::vector<std::filesystem::path> folders{path.parent_path()};
   folders.insert(folders.end(), more_folders.begin(), more_folders.end());
-  FileFinder files(std::move(folders));
+  TextureFinds files(std::move(folders));
   Tallies tallies;
   Reading reading;
   bool inside = false;  // statements before the first newmtl belong to no material
@@ -219,7 +205,7 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
     }
   }
   if (inside) finish_material(reading, kinds, tallies, materials);
-  report_tallies(tallies, path, warnings);
+  report_tallies(tallies, files, path, warnings);
 }
 
 }  // namespace hybridrt

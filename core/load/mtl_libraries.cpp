@@ -24,7 +24,7 @@ struct Found {
 /// Whether a name ends with this word, for all that one can tell.
 bool ends_a_name(std::string_view word) {
   while (word.ends_with('"') || word.ends_with('\'')) word.remove_suffix(1);
-  return lower_case(word).ends_with(".mtl");
+  return fold_case(word).ends_with(".mtl");
 }
 
 /// Splits one mtllib line into files: at each word the longest run of words that names a file as written, else the

@@ -41,7 +41,8 @@ class Colours : public GlTest {
 TEST_F(Colours, AreTheSameInEveryMethod) {
   for (const bool textured : {false, true}) {
     SCOPED_TRACE(textured);
-    RenderJob job = textured ? orbit_job(textured_room(), 1) : orbit_job("scene:spheres,triangles=3000,reflective=30", 1);
+    RenderJob job =
+        textured ? orbit_job(textured_room(), 1) : orbit_job("scene:spheres,triangles=3000,reflective=30", 1);
     const Frame plain = render_with(job, Method::hybrid, ShadowMode::exact);
     const double edges =
         share_of_other_pixels(plain, render_with(job, Method::reference, ShadowMode::rays));  // without colours

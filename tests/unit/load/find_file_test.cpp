@@ -96,7 +96,7 @@ TEST_F(FindFile, HugeNamesTakeNoTime) {
   EXPECT_EQ(found(std::string(1000, 'x') + ".png", false), "");
 }
 
-TEST(LowerCase, BytesThatAreNoUtf8Stay) { EXPECT_EQ(lower_case("A\xC4Z\xC3\x84"), "a\xC4z\xC3\xA4"); }
+TEST(FoldCase, BytesThatAreNoUtf8Stay) { EXPECT_EQ(fold_case("A\xC4Z\xC3\x84"), "a\xC4z\xC3\xA4"); }
 
 }  // namespace
 }  // namespace hybridrt

@@ -37,7 +37,8 @@ TEST_F(MeshColors, AreTheDiffuseColourWithoutAMaterial) {
   EXPECT_EQ(scene.material_of(0).kd, vec3(1));
   EXPECT_EQ(scene.materials.size(), 1u) << "no other default";
   EXPECT_TRUE(warnings.empty()) << "nothing was repaired or left out";
-  EXPECT_EQ(scene.notes, Warnings{"a.obj: the colours of its vertices (sRGB, 0 to 1) are the diffuse colour of 1 triangles"});
+  EXPECT_EQ(scene.notes,
+            Warnings{"a.obj: the colours of its vertices (sRGB, 0 to 1) are the diffuse colour of 1 triangles"});
   EXPECT_EQ(scene.positions.size(), 3u) << "vertices are shared as before";
 }
 
@@ -61,8 +62,9 @@ TEST_F(MeshColors, AreLinearWhereThatIsAskedFor) {
 TEST_F(MeshColors, MultiplyKdAndAreLeftOutUnderATexture) {
   folder.write("noise.png", "x");
   folder.write("a.mtl", "newmtl a\nKd .5 .5 .5\nmap_Ks noise.png\nnewmtl b\nmap_Kd noise.png\n");
-  const Scene scene = load("mtllib a.mtl\nvt 0 0\n" + kPainted +
-                           "v 9 9 9\nf 1 2 4\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 2/1 3/1\nusemtl none\nf 1 2 3\n");
+  const Scene scene =
+      load("mtllib a.mtl\nvt 0 0\n" + kPainted +
+           "v 9 9 9\nf 1 2 4\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 2/1 3/1\nusemtl none\nf 1 2 3\n");
   EXPECT_EQ(at(scene, 0, 2), vec3(1)) << "no colour of its own";
   EXPECT_EQ(at(scene, 1, 0), vec3(1, 0, linear(.5)));
   EXPECT_EQ(at(scene, 2, 0), vec3(1));
