@@ -43,6 +43,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
 
   Reporter reporter(output, job.frames.count());
   reporter.warnings(warnings);
+  reporter.notes(job.scene.notes);
   FrameWriter writer(output, paths, job, threads);
   FrameWarningsGiven given;
   Stopwatch rendering;

@@ -59,6 +59,7 @@ std::string loaded_text(const Inspection& in) {
   if (scene.textures)
     out += fmt::format("  {:<12}{}{}\n", "textures", size_text(4 * scene.textures->words.size()),
                        scene.has_holes() ? ", some with holes" : "");
+  for (const std::string& note : scene.notes) out += fmt::format("  {:<12}{}\n", "note", note);
   if (scene.origin_world != dvec3(0))
     out += fmt::format("  {:<12}moved to {} to keep precision\n", "origin", point(scene.origin_world));
   return out;

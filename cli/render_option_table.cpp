@@ -11,6 +11,8 @@ constexpr Named<gl::Binding> kBindings[] = {
     {"auto", gl::Binding::any}, {"egl", gl::Binding::egl}, {"osmesa", gl::Binding::osmesa}};
 enum class LightFollows { camera };
 constexpr Named<LightFollows> kLightFollows[] = {{"camera", LightFollows::camera}};
+enum class MeshColors { srgb, linear };
+constexpr Named<MeshColors> kMeshColors[] = {{"srgb", MeshColors::srgb}, {"linear", MeshColors::linear}};
 
 using Options = RenderOptions;
 using Text = const std::string&;
@@ -81,6 +83,10 @@ std::vector<RenderOption> picture() {
        [](Options& o, Text t) { o.sequence = parse_sequence(t); }},
       {"--size", "WxH", group, fmt::format("Pixels (default {}x{})", defaults.width_px, defaults.height_px),
        [](Options& o, Text t) { parse_size("--size", t, o.settings); }},
+      {"--mesh-colors", "SPACE", group,
+       fmt::format("What the colours of vertices and faces in OBJ, PLY, OFF and STL files are: {} (default {})",
+                   names_in(kMeshColors), name_in(kMeshColors, MeshColors())),
+       [](Options& o, Text t) { o.linear_colors = parse_name("--mesh-colors", kMeshColors, t) == MeshColors::linear; }},
       {"--crop", "X,Y,W,H", group, "Render this part of the frame only",
        [](Options& o, Text t) { o.settings.crop = parse_crop("--crop", t); }},
       {"--background", "R,G,B", group,

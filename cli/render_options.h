@@ -27,6 +27,7 @@ struct RenderOptions {
   std::optional<FrameRange> sequence;  ///< default: from the first to the last frame
   std::optional<UpAxis> up_axis;       ///< default: what the scene says
   std::optional<vec3> background;      ///< linear; default: what the scene says
+  bool linear_colors = false;          ///< the meshes' colours are linear, not sRGB
   std::string camera;                  ///< camera path file
   std::optional<dvec3> eye, target, up, light;
   bool light_follows_camera = false;

@@ -10,7 +10,10 @@ namespace hybridrt::cli {
 using json = nlohmann::ordered_json;
 
 Reporter::Reporter(const OutputOptions& options, int64_t frames)
-    : json_(options.json), verbose_(options.verbose), progress_(frames, options.quiet || options.json) {}
+    : json_(options.json),
+      quiet_(options.quiet),
+      verbose_(options.verbose),
+      progress_(frames, options.quiet || options.json) {}
 
 void Reporter::warnings(const Warnings& all) {
   for (const std::string& warning : all)
@@ -18,6 +21,14 @@ void Reporter::warnings(const Warnings& all) {
       emit({{"event", "warning"}, {"message", warning}});
     else
       progress_.say("hybridrt: warning: " + warning);
+}
+
+void Reporter::notes(const std::vector<std::string>& all) {
+  for (const std::string& note : all)
+    if (json_)
+      emit({{"event", "note"}, {"message", note}});
+    else if (!quiet_)
+      progress_.say("hybridrt: " + note);
 }
 
 void Reporter::start(const RenderOptions& options, const RenderJob& job, const RunFacts& facts) {

@@ -17,6 +17,8 @@ class Reporter {
   Reporter(const OutputOptions& options, int64_t frames);
 
   void warnings(const Warnings& all);
+  /// What users may want to know, unless they want quiet.
+  void notes(const std::vector<std::string>& all);
   void start(const RenderOptions& options, const RenderJob& job, const RunFacts& facts);
   void frame(const Frame& frame, const std::filesystem::path& path);
   void end(const RunTotals& totals, bool stopped);
@@ -24,7 +26,7 @@ class Reporter {
  private:
   static void emit(const nlohmann::ordered_json& event);
 
-  const bool json_, verbose_;
+  const bool json_, quiet_, verbose_;
   Progress progress_;
 };
 

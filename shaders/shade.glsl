@@ -1,7 +1,8 @@
 // Pass 5: ambient + each light's shadow * (diffuse + specular) + what pass 4 traced, once per pixel from its id.
-// HRT_TEXTURED: some materials have maps. HRT_LIGHT_COUNT: the number of lights, defined by ShadePass.
+// HRT_TEXTURED: some materials have maps. Defined by ShadePass: HRT_LIGHT_COUNT, the number of lights, and HRT_COLORED,
+// if the scene has colours that multiply Kd.
 #include "scene.glsl"
-#include "light_count.glsl"
+#include "shade_variant.glsl"
 #ifdef HRT_TEXTURED
 #include "texture_words.glsl"
 #endif
@@ -27,6 +28,17 @@ vec3 shading_normal(uint id, vec3 weights, vec3 side) {
            weights.z * texelFetch(normals, int(corners.z)).xyz;
   return turned_toward(normalized_or(n, side), side);
 }
+
+#ifdef HRT_COLORED
+layout(binding = HRT_UNIT_COLORS) uniform samplerBuffer colors;
+layout(binding = HRT_UNIT_TRIANGLE_COLORS) uniform usamplerBuffer triangle_colors;
+
+vec3 color_at(uint id, vec3 weights) {
+  uvec3 corners = texelFetch(triangle_colors, int(id)).xyz;
+  return weights.x * texelFetch(colors, int(corners.x)).rgb + weights.y * texelFetch(colors, int(corners.y)).rgb +
+         weights.z * texelFetch(colors, int(corners.z)).rgb;
+}
+#endif
 
 #ifdef HRT_TEXTURED
 layout(binding = HRT_UNIT_TEXCOORDS) uniform samplerBuffer texcoords;
@@ -68,6 +80,9 @@ vec4 shaded(ivec2 pixel, uint id) {
   vec3 kd = kd_ns.rgb;
   vec3 ks = ks_opacity.rgb;
   vec3 ke = ke_maps.rgb;
+#ifdef HRT_COLORED
+  kd *= color_at(id, weights);
+#endif
 #ifdef HRT_TEXTURED
   if (ke_maps.a != 0.0) apply_textures(uint(ke_maps.a), id, t, weights, dir, kd, ks, ke);
 #endif

@@ -43,6 +43,8 @@
 #define HRT_UNIT_TRIANGLE_TEXCOORDS 12
 #define HRT_UNIT_TRIANGLE_MAPS 13
 #define HRT_UNIT_DEPTH 14
+#define HRT_UNIT_COLORS 15
+#define HRT_UNIT_TRIANGLE_COLORS 16
 
 // Image unit of a compute pass's only output.
 #define HRT_IMAGE_OUT 0

@@ -34,6 +34,8 @@ void require_regular_file(const fs::path& path) {
   if (!fs::is_regular_file(status))
     throw error(ErrorKind::input, "{}: is {}, not an image file; name the file itself", path.string(),
                 fs::is_directory(status) ? "a folder" : "a device or pipe");
+  if (fs::file_size(path, problem) == 0)  // also files of /proc, some of which wait as pipes do
+    throw error(ErrorKind::input, "{}: not a readable image: the file is empty; write or copy it again", path.string());
 }
 
 void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {

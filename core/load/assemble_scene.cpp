@@ -10,6 +10,7 @@
 #include "core/base/warnings.h"
 #include "core/load/invisible.h"
 #include "core/load/load_textures.h"
+#include "core/load/mesh_colors.h"
 #include "core/load/mtl_io.h"
 #include "core/load/text_scan.h"
 #include "core/mesh/normals.h"
@@ -80,6 +81,7 @@ void leave_out_degenerate(MeshData& mesh, std::span<const vec3> positions, Threa
   keep_good(mesh.triangle_positions, faults);
   keep_good(mesh.triangle_normals, faults);
   keep_good(mesh.triangle_texcoords, faults);
+  keep_good(mesh.triangle_colors, faults);
   keep_good(mesh.triangle_materials, faults);
   keep_good(mesh.triangle_places, faults);
 }
@@ -159,6 +161,15 @@ void take_materials(LoadedMesh& loaded, Scene& scene, Warnings& warnings) {
   for (size_t i = 1; i < mesh.material_names.size(); ++i)
     if (const auto known = by_name.find(mesh.material_names[i]); known != by_name.end()) meaning[i] = known->second;
 
+  if (mesh.material_names.size() == 1 && !loaded.library.empty()) {
+    const bool only = loaded.library.size() == 1;
+    if (only) meaning[0] = first;
+    warnings.push_back(fmt::format(
+        "{}: no usemtl, so {}", mesh.path.filename().string(),
+        only ? fmt::format("the one material of its MTL, {}, is used for all of it", in_quotes(loaded.library[0].name))
+             : fmt::format("none of the {} materials of its MTL is used; drawn as default", loaded.library.size())));
+  }
+
   Tally unknown;
   uint32_t first_unknown = 0;
   for (size_t i = 0; i < mesh.triangle_materials.size(); ++i) {
@@ -230,7 +241,7 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
   scene.positions.resize(positions);
   Textures textures;
   const bool keep_texcoords = needs_texcoords(meshes, watch);
-  uint32_t first = 0;
+  uint32_t first = 0, colored_material = 0;
   for (LoadedMesh& loaded : meshes) {
     MeshData& mesh = loaded.data;
     const std::span<vec3> own = std::span(scene.positions).subspan(first, mesh.positions.size());
@@ -242,13 +253,16 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
     if (mesh.triangle_positions.empty())
       throw error(ErrorKind::input, "{}: all of its faces have zero area: nothing to draw; is it flattened?",
                   mesh.path.string());
+    const size_t first_triangle = scene.triangle_count();
     take_triangles(mesh, first, scene);
     take_normals(mesh, scene, warnings);
     if (keep_texcoords) take_texcoords(mesh, textures);
     take_materials(loaded, scene, warnings);
+    take_colors(mesh, first_triangle, first, watch.linear_colors, scene, colored_material, warnings);
     first += static_cast<uint32_t>(own.size());
     loaded = {};
   }
+  if (scene.has_colors()) scene.triangle_colors.resize(scene.triangle_count(), uvec3(0));  // white
   place_default_material(scene);
   if (keep_texcoords) load_textures(scene, std::move(textures), pool, warnings, watch);
   report_invisible(scene, warnings);

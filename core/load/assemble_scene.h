@@ -25,6 +25,8 @@ struct LoadedMesh {
 ///  - Usable normals are kept in their order; the other corners get smooth ones (normals.h).
 ///  - Each mesh's materials follow one another; "default" comes first if any triangle names no material or an
 ///    unknown one, the latter with a warning.
+///  - Where a mesh names no material and its MTL files have only one, that is used, with a warning.
+///  - Colours of vertices and faces are kept as mesh_colors.h says.
 ///  - Materials that cannot be seen are told of (invisible.h).
 ///  - Textures are read by watch.read_texels (load_textures.h). Texture coordinates are kept only for them.
 /// Throws Error (input) for a mesh without a usable face and for a scene too large or small for single precision.

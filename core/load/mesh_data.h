@@ -16,14 +16,17 @@ inline constexpr double kLargestCoordinate = 1e30;
 
 /// A mesh file as written: cut into triangles, but not repaired.
 struct MeshData {
-  std::filesystem::path path;                              ///< for messages
-  const char* place = "line";                              ///< what `triangle_places` counts: "line" or "face"
-  std::vector<dvec3> positions;                            ///< world space, finite, each |coordinate| < 1e30
-  std::vector<vec3> normals;                               ///< unit, or zero where the file's cannot be used
-  std::vector<vec2> texcoords;                             ///< finite, each at most a million; OBJ only
-  std::vector<uvec3> triangle_positions;                   ///< in range; corners may repeat
-  std::vector<uvec3> triangle_normals;                     ///< kNoIndex where there is none; empty: none anywhere
-  std::vector<uvec3> triangle_texcoords;                   ///< likewise
+  std::filesystem::path path;             ///< for messages
+  const char* place = "line";             ///< what `triangle_places` counts: "line" or "face"
+  std::vector<dvec3> positions;           ///< world space, finite, each |coordinate| < 1e30
+  std::vector<vec3> normals;              ///< unit, or zero where the file's cannot be used
+  std::vector<vec2> texcoords;            ///< finite, each at most a million; OBJ only
+  std::vector<uvec3> triangle_positions;  ///< in range; corners may repeat
+  std::vector<uvec3> triangle_normals;    ///< kNoIndex where there is none; empty: none anywhere
+  std::vector<uvec3> triangle_texcoords;  ///< likewise
+  std::vector<vec3> colors;               ///< the file's numbers, or kNoColor (mesh_colors.h); empty: none anywhere
+  std::vector<uvec3> triangle_colors;     ///< kNoIndex where there is none; empty: `colors` are those of `positions`
+  float color_full = 0;  ///< the number that means full brightness; 0: 1 or 255, as the numbers suggest
   std::vector<uint32_t> triangle_materials;                ///< index into `material_names`
   std::vector<uint32_t> triangle_places;                   ///< for messages
   std::vector<std::string> material_names{std::string()};  ///< the first: until a material is named

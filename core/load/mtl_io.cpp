@@ -5,9 +5,11 @@
 
 #include "core/base/error.h"
 #include "core/base/warnings.h"
+#include "core/load/find_file.h"
 #include "core/load/mtl_opacity.h"
 #include "core/load/text_lines.h"
 #include "core/load/text_scan.h"
+#include "core/load/texture_finds.h"
 #include "core/load/texture_name.h"
 
 namespace hybridrt {
@@ -40,23 +42,23 @@ bool take_color(Statement& s, vec3& color) {
   return true;
 }
 
-bool names_a_texture(std::string_view statement) {
-  return statement.starts_with("map_") || statement == "bump" || statement == "disp" || statement == "decal" ||
-         statement == "refl" || statement == "norm";
+/// `keyword` in lower case.
+bool names_a_texture(std::string_view keyword) {
+  return keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" || keyword == "decal" ||
+         keyword == "refl" || keyword == "norm";
 }
 
 /// The kind of map, for maps that we read.
-std::optional<MapKind> map_kind(std::string_view statement) {
-  if (statement == "map_Kd") return MapKind::diffuse;
-  if (statement == "map_Ks") return MapKind::specular;
-  if (statement == "map_Ke") return MapKind::emitted;
-  if (statement == "map_d") return MapKind::holes;
+std::optional<MapKind> map_kind(std::string_view keyword) {
+  if (keyword == "map_kd") return MapKind::diffuse;
+  if (keyword == "map_ks") return MapKind::specular;
+  if (keyword == "map_ke") return MapKind::emitted;
+  if (keyword == "map_d") return MapKind::holes;
   return std::nullopt;
 }
 
 struct Tallies {
-  Tally unread_kinds, foreign_textures, missing_textures, foreign_colors, bad_ni, bad_illum;
-  std::string first_missing;
+  Tally unread_kinds, foreign_colors, bad_ni, bad_illum;
   NameList large_colors, tr_ignored, illum_ignored;
 };
 
@@ -72,26 +74,24 @@ struct Reading {
 };
 
 /// Keeps the texture; counts what is wrong with its name.
-void read_texture(const Statement& s, Reading& reading, Tallies& tallies) {
-  const size_t line = s.lines.line_number();
+void read_texture(const Statement& s, const std::string& keyword, TextureFinds& files, Reading& reading,
+                  Tallies& tallies) {
+  const std::optional<MapKind> kind = map_kind(keyword);
+  std::vector<TextureMap>& maps = reading.material.maps;
+  if (kind) std::erase_if(maps, [&](const TextureMap& map) { return map.kind == *kind; });  // the last of a kind counts
   TextureStatement texture = read_texture_statement(s.rest);
-  TextureFile file = find_texture(s.lines.path().parent_path(), texture.name);
-  if (file.foreign) tallies.foreign_textures.add(line);
-  if (file.path.empty()) {
-    if (tallies.missing_textures.count == 0) tallies.first_missing = texture.name;
-    tallies.missing_textures.add(line);
-  }
-  const std::optional<MapKind> kind = map_kind(s.name);
-  if (!kind && s.name != "map_Ka") tallies.unread_kinds.add(line);  // Ka itself does not count
+  if (texture.name.empty()) return;
+
+  const size_t line = s.lines.line_number();
+  const std::filesystem::path& file = files.find(texture.name, line, kind.has_value());
+  if (!kind && keyword != "map_ka") tallies.unread_kinds.add(line);  // Ka itself does not count
   if (!kind) return;
   texture.map.kind = *kind;
-  texture.map.path = std::move(file.path);
-  std::vector<TextureMap>& maps = reading.material.maps;
-  std::erase_if(maps, [&](const TextureMap& map) { return map.kind == *kind; });  // the last of a kind counts
+  texture.map.path = file;
   maps.push_back(std::move(texture.map));
 }
 
-void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
+void read_statement(Statement& s, TextureFinds& files, Reading& reading, Tallies& tallies) {
   Material& m = reading.material;
   const size_t line = s.lines.line_number();
   const auto color = [&](vec3& to) {
@@ -119,8 +119,8 @@ void read_statement(Statement& s, Reading& reading, Tallies& tallies) {
     const bool known = model >= 0 && model <= 10 && model == std::floor(model);
     m.illum = known ? static_cast<int>(model) : 2;
     if (!known) tallies.bad_illum.add(line);
-  } else if (names_a_texture(s.name)) {
-    read_texture(s, reading, tallies);
+  } else if (const std::string keyword = fold_case(s.name); names_a_texture(keyword)) {
+    read_texture(s, keyword, files, reading, tallies);
   }  // Ka and the rest are not used
 }
 
@@ -155,12 +155,10 @@ void finish_material(Reading& reading, const MaterialKinds& kinds, Tallies& tall
   materials.push_back(std::move(reading.material));
 }
 
-void report_tallies(const Tallies& tallies, const std::filesystem::path& path, Warnings& warnings) {
+void report_tallies(const Tallies& tallies, const TextureFinds& files, const std::filesystem::path& path,
+                    Warnings& warnings) {
   report(tallies.unread_kinds, "texture maps (bump, disp and others) are not read yet", path, warnings);
-  report(tallies.foreign_textures, "texture names lead to other folders; only files beside the MTL are looked for",
-         path, warnings);
-  report(tallies.missing_textures, fmt::format("texture files are missing ({})", in_quotes(tallies.first_missing)),
-         path, warnings);
+  files.report(path, warnings);
   report(tallies.foreign_colors, "colours are given as spectral or xyz, which are not read", path, warnings);
   report(tallies.bad_ni, "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
   report(tallies.bad_illum, "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);
@@ -185,8 +183,11 @@ Material default_material() {
 }
 
 void read_mtl(const std::filesystem::path& path, std::vector<Material>& materials, Warnings& warnings,
-              const MaterialKinds& kinds) {
+              const MaterialKinds& kinds, const std::vector<std::filesystem::path>& more_folders) {
   TextLines lines(path, LineJoin::none);
+  std::vector<std::filesystem::path> folders{path.parent_path()};
+  folders.insert(folders.end(), more_folders.begin(), more_folders.end());
+  TextureFinds files(std::move(folders));
   Tallies tallies;
   Reading reading;
   bool inside = false;  // statements before the first newmtl belong to no material
@@ -200,11 +201,11 @@ void read_mtl(const std::filesystem::path& path, std::vector<Material>& material
       reading = {};
       reading.material.name = trimmed(s.rest);
     } else if (inside) {
-      read_statement(s, reading, tallies);
+      read_statement(s, files, reading, tallies);
     }
   }
   if (inside) finish_material(reading, kinds, tallies, materials);
-  report_tallies(tallies, path, warnings);
+  report_tallies(tallies, files, path, warnings);
 }
 
 }  // namespace hybridrt

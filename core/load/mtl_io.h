@@ -22,17 +22,18 @@ Material default_material();
 ///  - A Kd or Ks above 1.5 is kept, with a warning that names the material: probably 0-255 colours.
 ///  - Colours are clamped to >= 0, Ns to [0, 1e4], d to [0, 1]; Ni <= 0 becomes 1 and illum outside 0-10 becomes 2,
 ///    with a warning.
-///  - map_Kd, map_Ks, map_Ke and map_d are kept by name, the last of each kind; no picture is read here. Warnings count
-///    maps of other kinds (except map_Ka), missing files, and names that lead elsewhere (texture_name.h).
+///  - map_Kd, map_Ks, map_Ke and map_d, in any case, are kept by name, the last of each kind; without a name there is
+///    no map. No picture is read here. Files are looked for as find_file.h says, beside the MTL and in `more_folders`.
+///    Warnings count maps of other kinds (except map_Ka), and name missing files and those found under another name.
 /// Throws Error (input), naming file and line, where one of these numbers is missing, malformed, infinite or NaN, and
 /// as TextLines does. Why not tinyobjloader: it reads NaN as 0 and cannot tell a missing illum, Tf or Tr from 0.
 void read_mtl(const std::filesystem::path& path, std::vector<Material>& materials, Warnings& warnings,
-              const MaterialKinds& kinds = {});
+              const MaterialKinds& kinds = {}, const std::vector<std::filesystem::path>& more_folders = {});
 
 /// Reads the files that the `mtllib` lines of an OBJ in `folder` name. Each element of `libraries` is the rest of one
-/// line: one file name with blanks in it, or several names. A file that is not where its name says is looked for in
-/// `folder` by its bare name; a missing one gives a warning. Of materials with the same name the first is kept. The
-/// files read are appended to `files`.
+/// line: one file name with blanks in it, or several names. They are looked for as find_file.h says; one that is found
+/// under another name and one that is missing gives a warning. Of materials with the same name the first is kept.
+/// Textures are looked for in `folder` too. The files read are appended to `files`.
 std::vector<Material> read_libraries(const std::filesystem::path& folder, const std::vector<std::string>& libraries,
                                      std::vector<std::string>& files, Warnings& warnings,
                                      const MaterialKinds& kinds = {});

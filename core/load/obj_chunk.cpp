@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <limits>
 #include <unordered_map>
 
 #include "core/base/error.h"
 #include "core/base/warnings.h"
+#include "core/load/mesh_colors.h"
 #include "core/load/text_lines.h"
 
 namespace hybridrt {
@@ -16,6 +18,8 @@ namespace {
 constexpr std::array<std::string_view, 18> kIgnored = {
     "g",  "o",      "s",      "p",        "l",        "vp",         "lod",       "mg", "bevel",
     "vw", "usemap", "maplib", "c_interp", "d_interp", "shadow_obj", "trace_obj", "t",  "end"};
+
+constexpr double kLargestColor = 1e9;  // beyond, a number that nobody means as a colour
 
 // What a user can do about a faulty line.
 constexpr const char* kFix = "fix that line or export the mesh again";
@@ -40,7 +44,11 @@ class ChunkReader {
   void read() {
     for (std::string_view rest; lines_.next(rest);) {
       const std::string_view statement = take_word(rest);
-      if (statement.empty() || statement.front() == '#') continue;
+      if (statement.empty()) continue;
+      if (statement.front() == '#') {
+        if (statement == "#MRGB") read_polypaint(trimmed(rest));
+        continue;
+      }
       read_statement(statement, rest);
     }
   }
@@ -87,6 +95,38 @@ class ChunkReader {
       p[axis] = *number;
     }
     chunk_.data.positions.push_back(p);
+    if (!trimmed(rest).empty() || !chunk_.data.colors.empty()) read_color(rest);
+  }
+
+  /// The colour of the last vertex: three numbers. One alone is a weight, which is not used.
+  void read_color(std::string_view rest) {
+    vec3 color;
+    int numbers = 0;
+    std::string_view word = take_word(rest);
+    for (; numbers < 3; ++numbers, word = take_word(rest)) {
+      const std::optional<double> number = parse_number(word);
+      if (!number) break;
+      color[numbers] = static_cast<float>(std::clamp(*number, 0.0, kLargestColor));
+    }
+    if (numbers < 3) {
+      color = kNoColor;
+      if (numbers == 2 || !(word.empty() || word.front() == '#')) chunk_.bad_colors.add(line());
+    }
+    std::vector<vec3>& colors = chunk_.data.colors;
+    if (numbers < 3 && colors.empty()) return;
+    colors.resize(chunk_.data.positions.size() - 1, kNoColor);
+    colors.push_back(color);
+  }
+
+  /// ZBrush's polypaint: eight hexadecimal digits a vertex, mask, red, green, blue.
+  void read_polypaint(std::string_view digits) {
+    for (; !digits.empty(); digits.remove_prefix(8)) {
+      uint32_t color = 0;
+      const char* const end = digits.data() + std::min<size_t>(8, digits.size());
+      const auto [stop, status] = std::from_chars(digits.data(), end, color, 16);
+      if (digits.size() < 8 || stop != end || status != std::errc()) return chunk_.bad_polypaint.add(line());
+      chunk_.polypaint.push_back(color);
+    }
   }
 
   void read_normal(std::string_view rest) {

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/warnings.h"
+#include "core/load/mesh_colors.h"
 #include "core/load/obj_chunk.h"
 #include "core/load/text_blocks.h"
 #include "core/mesh/polygon.h"
@@ -72,6 +73,8 @@ class Joined {
   template <typename T>
   void append_array(const std::vector<ObjChunk>& chunks, std::vector<T> MeshData::*array);
   void append_materials(const std::vector<ObjChunk>& chunks);
+  void append_colors(const std::vector<ObjChunk>& chunks);
+  void take_polypaint(Warnings& warnings);
   void append_optional_indices(const std::vector<ObjChunk>& chunks, std::vector<uvec3> MeshData::*array);
   template <typename T>
   void make_room(std::vector<T>& all, size_t more) const;
@@ -85,7 +88,8 @@ class Joined {
   ObjChunk waiting_;                             ///< only its polygons, which name vertices that come later
   ObjChunk::Ahead farthest_;
   std::vector<ObjChunk::Ahead> texcoords_ahead_, normals_ahead_;
-  Tally unread_texcoords_, bad_texcoords_, bad_normals_, small_faces_, unknown_, tangled_;
+  std::vector<uint32_t> polypaint_;
+  Tally unread_texcoords_, bad_texcoords_, bad_normals_, small_faces_, unknown_, tangled_, bad_colors_, bad_polypaint_;
 };
 
 /// Makes room for `more`, and the first time for what the rest of the file will need if it goes on like this: untouched
@@ -131,6 +135,44 @@ void Joined::append_optional_indices(const std::vector<ObjChunk>& chunks, std::v
   }
 }
 
+/// If a mesh has any colours, each vertex gets one.
+void Joined::append_colors(const std::vector<ObjChunk>& chunks) {
+  std::vector<vec3>& all = data_.colors;
+  const auto has_some = [](const ObjChunk& chunk) { return !chunk.data.colors.empty(); };
+  if (all.empty() && std::none_of(chunks.begin(), chunks.end(), has_some)) return;
+  size_t vertices = data_.positions.size();  // before these chunks, as their positions are appended later
+  size_t more = 0;
+  for (const ObjChunk& chunk : chunks) more += chunk.data.positions.size();
+  make_room(all, more);
+  all.resize(vertices, kNoColor);
+  for (const ObjChunk& chunk : chunks) {
+    all.insert(all.end(), chunk.data.colors.begin(), chunk.data.colors.end());
+    all.resize(vertices += chunk.data.positions.size(), kNoColor);
+  }
+}
+
+/// Colours of `v` lines go before those of #MRGB comments.
+void Joined::take_polypaint(Warnings& warnings) {
+  const std::string file = data_.path.filename().string();
+  report(bad_colors_, "vertices have colours that are not three usable numbers, which were left out", data_.path,
+         warnings);
+  report(bad_polypaint_, "lines #MRGB do not hold eight hexadecimal digits a vertex, and were read up to there",
+         data_.path, warnings);
+  if (polypaint_.empty()) return;
+  if (!data_.colors.empty()) {
+    warnings.push_back(file + ": its #MRGB colours were left out, since its v lines have colours");
+    return;
+  }
+  const size_t vertices = data_.positions.size();
+  if (polypaint_.size() != vertices)
+    warnings.push_back(fmt::format("{}: #MRGB gives {} colours for {} vertices; they are taken in order", file,
+                                   polypaint_.size(), vertices));
+  data_.color_full = 255;
+  for (const uint32_t color : std::span(polypaint_).first(std::min(vertices, polypaint_.size())))
+    data_.colors.emplace_back(color >> 16 & 255, color >> 8 & 255, color & 255);
+  data_.colors.resize(vertices, kNoColor);
+}
+
 /// Takes over everything of a chunk but its large arrays.
 void Joined::take_facts(ObjChunk& chunk) {
   std::vector<uint32_t>& meaning = meanings_.emplace_back(std::vector<uint32_t>{material_});
@@ -150,7 +192,9 @@ void Joined::take_facts(ObjChunk& chunk) {
   normals_ahead_.insert(normals_ahead_.end(), chunk.normals_ahead.begin(), chunk.normals_ahead.end());
   add(unread_texcoords_, chunk.unread_texcoords), add(bad_texcoords_, chunk.bad_texcoords),
       add(bad_normals_, chunk.bad_normals);
-  add(small_faces_, chunk.small_faces), add(unknown_, chunk.unknown);
+  add(small_faces_, chunk.small_faces), add(unknown_, chunk.unknown), add(bad_colors_, chunk.bad_colors);
+  add(bad_polypaint_, chunk.bad_polypaint);
+  polypaint_.insert(polypaint_.end(), chunk.polypaint.begin(), chunk.polypaint.end());
 }
 
 void Joined::append(std::vector<ObjChunk>& chunks, ThreadPool& pool) {
@@ -163,6 +207,7 @@ void Joined::append(std::vector<ObjChunk>& chunks, ThreadPool& pool) {
     first_triangle += chunk.data.triangle_positions.size();
   }
 
+  append_colors(chunks);
   append_optional_indices(chunks, &MeshData::triangle_normals);
   append_optional_indices(chunks, &MeshData::triangle_texcoords);
   pool.run(6, [&](size_t array, int) {
@@ -205,6 +250,7 @@ MeshData Joined::finish(const ObjCounts& counts, Warnings& warnings) {
   report(bad_normals_, "normal indices lead nowhere and were left out", path, warnings);
   report(unknown_, "lines of an unknown kind were left out", path, warnings);
   report(tangled_, "polygons cross themselves or have no area and were cut as they came", path, warnings);
+  take_polypaint(warnings);
   return std::move(data_);
 }
 

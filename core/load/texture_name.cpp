@@ -58,7 +58,10 @@ TextureStatement read_texture_statement(std::string_view statement) {
   take_options(statement, read.map);
   statement = trimmed(statement);
   size_t end = statement.size();
-  for (std::string_view rest = statement; !rest.empty();) {  // up to the first option after the name
+  std::string_view rest = statement;
+  if (!rest.empty() && (rest[0] == '"' || rest[0] == '\''))  // a name in quotes ends where they end
+    if (const size_t quote = rest.find(rest[0], 1); quote != rest.npos) rest.remove_prefix(quote + 1);
+  while (!rest.empty()) {  // up to the first option after the name
     std::string_view options = rest;
     const std::string_view word = take_word(rest);
     if (word.data() != statement.data() && kOptions.contains(word)) {
@@ -68,22 +71,8 @@ TextureStatement read_texture_statement(std::string_view statement) {
     }
   }
   read.name = trimmed(statement.substr(0, end));
+  if (read.name == "\"\"" || read.name == "''") read.name.clear();
   return read;
-}
-
-TextureFile find_texture(const std::filesystem::path& folder, std::string name) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const std::filesystem::path path(name);
-  const bool has_drive = name.size() > 1 && name[1] == ':';
-  TextureFile found;
-  found.foreign = path.is_absolute() || has_drive || std::find(path.begin(), path.end(), "..") != path.end();
-  std::error_code unreachable;
-  const auto try_file = [&](const std::filesystem::path& candidate) {
-    if (found.path.empty() && std::filesystem::is_regular_file(candidate, unreachable)) found.path = candidate;
-  };
-  if (!found.foreign) try_file(folder / path);
-  if (path.has_filename()) try_file(folder / path.filename());
-  return found;
 }
 
 }  // namespace hybridrt

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -15,18 +14,8 @@ struct TextureStatement {
 };
 
 /// Options may come before or after the name. -s, -o, -clamp, -mm and -imfchan are read; -blendu, -blendv, -bm, -boost,
-/// -cc, -t, -texres and -type are skipped with their values. Options whose values are not numbers change nothing;
-/// factors and offsets are kept below a million.
+/// -cc, -t, -texres and -type are skipped with their values; inside quotes there are none. Options whose values are not
+/// numbers change nothing; factors and offsets are kept below a million.
 TextureStatement read_texture_statement(std::string_view statement);
-
-/// Where a texture was looked for.
-struct TextureFile {
-  std::filesystem::path path;  ///< empty: there is no such file
-  bool foreign = false;        ///< the name leads elsewhere (absolute, `..`, a Windows drive): only its last part
-                               ///< was looked for, beside the MTL
-};
-
-/// Never outside `folder`, which holds the MTL. Backslashes separate folders as slashes do.
-TextureFile find_texture(const std::filesystem::path& folder, std::string name);
 
 }  // namespace hybridrt

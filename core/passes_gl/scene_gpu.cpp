@@ -81,6 +81,20 @@ void TexturesGpu::bind(const gl::Functions& gl) const {
   gl.BindTextureUnit(HRT_UNIT_TEXTURE_WORDS, words.id());
 }
 
+ColorsGpu::ColorsGpu(const gl::Context& context, const Scene& scene) {
+  require_fit(context, "a number of colours", scene.colors.size());
+  const gl::Functions& gl = context.functions();
+  colors = upload(gl, scene.colors, "colours");
+  triangle_colors = upload(gl, scene.triangle_colors, "triangle colours");
+  colors_texels = {gl, colors, GL_RGB32F, "colours"};
+  triangle_colors_texels = {gl, triangle_colors, GL_RGB32UI, "triangle colours"};
+}
+
+void ColorsGpu::bind(const gl::Functions& gl) const {
+  gl.BindTextureUnit(HRT_UNIT_COLORS, colors_texels.id());
+  gl.BindTextureUnit(HRT_UNIT_TRIANGLE_COLORS, triangle_colors_texels.id());
+}
+
 SceneGpu::SceneGpu(const gl::Context& context, const Scene& scene) {
   require_fit(context, "a number of triangles", scene.triangle_count());
   require_fit(context, "a number of vertices", scene.positions.size());
@@ -102,6 +116,7 @@ SceneGpu::SceneGpu(const gl::Context& context, const Scene& scene) {
   triangle_materials_texels = {gl, triangle_materials, GL_R32UI, "triangle materials"};
   materials_texels = {gl, materials, GL_RGBA32F, "materials"};
   vertex_array = {gl, positions, triangle_positions, "scene"};
+  if (scene.has_colors()) colors.emplace(context, scene);
   if (scene.textures) textures.emplace(context, *scene.textures);
   gl::throw_on_error(gl, "uploading the scene");
 }
@@ -129,6 +144,7 @@ void SceneGpu::bind_shading(const gl::Functions& gl) const {
   gl.BindTextureUnit(HRT_UNIT_TRIANGLE_NORMALS, triangle_normals_texels.id());
   gl.BindTextureUnit(HRT_UNIT_TRIANGLE_MATERIALS, triangle_materials_texels.id());
   gl.BindTextureUnit(HRT_UNIT_MATERIALS, materials_texels.id());
+  if (colors) colors->bind(gl);
   if (textures) textures->bind(gl);
 }
 

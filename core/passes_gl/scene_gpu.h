@@ -20,6 +20,15 @@ struct TexturesGpu {
   void bind(const gl::Functions& gl) const;
 };
 
+/// Colours of triangles' corners in GPU memory.
+struct ColorsGpu {
+  gl::Buffer colors, triangle_colors;
+  gl::BufferTexture colors_texels, triangle_colors_texels;
+
+  ColorsGpu(const gl::Context& context, const Scene& scene);
+  void bind(const gl::Functions& gl) const;
+};
+
 /// The scene's arrays in GPU memory, made once, then only read. Each index buffer serves drawing and, as a buffer
 /// texture, lookups per pixel.
 struct SceneGpu {
@@ -31,6 +40,7 @@ struct SceneGpu {
   gl::BufferTexture positions_texels, triangle_positions_texels, normals_texels, triangle_normals_texels,
       triangle_materials_texels, materials_texels;
   gl::VertexArray vertex_array;
+  std::optional<ColorsGpu> colors;  ///< if the scene has any
   std::optional<TexturesGpu> textures;
 
   bool has_holes() const { return textures && textures->any_holes; }
@@ -40,7 +50,7 @@ struct SceneGpu {
   void draw_with_holes(const gl::Functions& gl) const;
   /// Binds what shaders/scene.glsl reads.
   void bind_geometry(const gl::Functions& gl) const;
-  /// Binds normals, materials and textures too.
+  /// Binds normals, materials, colours and textures too.
   void bind_shading(const gl::Functions& gl) const;
 };
 

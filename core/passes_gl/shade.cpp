@@ -12,17 +12,19 @@ namespace {
 // Without lights the compiler would drop the geometry and some uniforms with it, so there is always one: black.
 size_t compiled_count(size_t light_count) { return std::max<size_t>(light_count, 1); }
 
-gl::ShaderSources with_light_count(gl::ShaderSources shaders, size_t light_count) {
-  shaders["light_count.glsl"] = fmt::format("#define HRT_LIGHT_COUNT {}\n", compiled_count(light_count));
+gl::ShaderSources with_variant(gl::ShaderSources shaders, size_t light_count, bool colored) {
+  shaders["shade_variant.glsl"] = fmt::format("#define HRT_LIGHT_COUNT {}\n{}", compiled_count(light_count),
+                                              colored ? "#define HRT_COLORED\n" : "");
   return shaders;
 }
 
 }  // namespace
 
-ShadePass::ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, size_t light_count, bool textured)
+ShadePass::ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, size_t light_count, bool textured,
+                     bool colored)
     : gl_(gl),
       light_count_(light_count),
-      program_(gl, with_light_count(shaders, light_count), {textured ? "shade_textured.comp" : "shade.comp"}) {
+      program_(gl, with_variant(shaders, light_count, colored), {textured ? "shade_textured.comp" : "shade.comp"}) {
   for (size_t l = 0; l < compiled_count(light_count); ++l)
     lights_.push_back({{program_, fmt::format("to_light[{}]", l)}, {program_, fmt::format("light[{}]", l)}});
   if (textured) sample_area_.emplace(program_, "sample_area");

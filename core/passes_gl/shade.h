@@ -13,8 +13,9 @@ namespace hybridrt {
 /// pixel from its id.
 struct ShadePass {
   /// `light_count` is at most HRT_MAX_LIGHTS and compiled in, since a loop of unknown length doubles the time on
-  /// llvmpipe even if it is never entered. `textured`: whether SceneGpu has textures.
-  ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, size_t light_count, bool textured = false);
+  /// llvmpipe even if it is never entered. `textured`, `colored`: whether SceneGpu has textures, and colours.
+  ShadePass(const gl::Functions& gl, const gl::ShaderSources& shaders, size_t light_count, bool textured = false,
+            bool colored = false);
 
   struct In {
     const SceneGpu& scene;

@@ -61,6 +61,10 @@ uint64_t fingerprint(const Scene& scene) {
       hash.value(x);
     hash.word(static_cast<uint64_t>(m.fresnel));
   }
+  if (scene.has_colors()) {
+    hash.values(std::span(scene.colors));
+    hash.values(std::span(scene.triangle_colors));
+  }
   if (scene.textures) {
     hash.values(std::span(scene.textures->words));
     hash.values(std::span(scene.textures->texcoords));

@@ -46,7 +46,7 @@ GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shad
       id_pass_(gl_, shaders, scene_gpu_.has_holes()),
       shadow_test_pass_(gl_, shaders),
       mark_pass_(gl_, shaders),
-      shade_pass_(gl_, shaders, light_count, scene_gpu_.textures.has_value()),
+      shade_pass_(gl_, shaders, light_count, scene_gpu_.textures.has_value(), scene_gpu_.colors.has_value()),
       part_(rendered_rect(s)),
       depth_(gl_, GL_DEPTH_COMPONENT32F, part_.width_px, part_.height_px, "depth"),
       picture_(gl_, GL_RGBA32F, part_.width_px, part_.height_px, "picture"),

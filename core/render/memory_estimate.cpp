@@ -17,8 +17,8 @@ constexpr size_t kLightBufferBytesPerTriangle = 145;  // measured: 85 to 130, pl
 
 size_t geometry_bytes(const Scene& scene) {
   return bytes_of(scene.positions) + bytes_of(scene.normals) + bytes_of(scene.triangle_positions) +
-         bytes_of(scene.triangle_normals) + bytes_of(scene.triangle_materials) +
-         (scene.textures ? scene.textures->memory_bytes() : 0);
+         bytes_of(scene.triangle_normals) + bytes_of(scene.triangle_materials) + bytes_of(scene.colors) +
+         bytes_of(scene.triangle_colors) + (scene.textures ? scene.textures->memory_bytes() : 0);
 }
 
 size_t rendered_pixels(const RenderSettings& s) {

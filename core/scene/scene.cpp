@@ -31,6 +31,12 @@ void validate(const Scene& scene) {
     }
     HRT_CHECK(scene.triangle_materials[i] < scene.materials.size());
   }
+  HRT_CHECK_EQ(scene.has_colors(), !scene.colors.empty());
+  if (scene.has_colors()) HRT_CHECK_EQ(scene.triangle_colors.size(), scene.triangle_count());
+  for (const vec3& color : scene.colors)
+    for (int i = 0; i < 3; ++i) HRT_CHECK(color[i] >= 0 && color[i] <= 1);
+  for (const uvec3& corners : scene.triangle_colors)
+    for (int corner = 0; corner < 3; ++corner) HRT_CHECK(corners[corner] < scene.colors.size());
   if (!scene.textures) return;
   const Textures& textures = *scene.textures;
   HRT_CHECK_EQ(textures.triangle_texcoords.size(), scene.triangle_count());

@@ -33,15 +33,20 @@ struct Scene {
   std::vector<uint32_t> triangle_materials;  ///< index into `materials`
   std::vector<Material> materials;           ///< resolved; at least one
 
+  std::vector<vec3> colors;            ///< linear, 0 to 1: they multiply Kd, interpolated; empty if there are none
+  std::vector<uvec3> triangle_colors;  ///< three indices into `colors` per triangle; empty if there are none
+
   std::shared_ptr<const Textures> textures;  ///< null if no triangle's material has a map
 
   Aabb bounds;  ///< box of all triangles, scene space
 
   // Where it came from, for reports.
   std::vector<std::string> files;   ///< all that were read, in order
+  std::vector<std::string> notes;   ///< what was made of them where it could be something else, a sentence each
   size_t built_normal_corners = 0;  ///< corners that got their normal from the faces around
 
   size_t triangle_count() const { return triangle_positions.size(); }
+  bool has_colors() const { return !triangle_colors.empty(); }
   bool has_holes() const { return textures && textures->any_holes; }
   bool has_holes(uint32_t triangle) const {
     return has_holes() && textures->has_holes(textures->triangle_maps[triangle]);

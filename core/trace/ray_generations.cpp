@@ -150,7 +150,7 @@ void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
 template <typename Real>
 SurfaceColors<Real> RayGenerations<Real>::colors_of(size_t i) const {
   const Material& material = job_.scene.materials[surfaces_[i].material];
-  if (material.texture_maps == 0) return plain_colors<Real>(material);
+  if (material.texture_maps == 0) return plain_colors(job_.scene, hits_[i].triangle, hits_[i].u, hits_[i].v);
   return textured_colors(job_.scene, hits_[i].triangle, hits_[i].u, hits_[i].v, batch_rays_[i].dir,
                          solid_angles_[batch_tags_[i].pixel], batch_tags_[i].path + hits_[i].t);
 }

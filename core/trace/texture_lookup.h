@@ -56,9 +56,17 @@ struct SurfaceColors {
   Vec3<Real> kd, ks, ke, reflect;
 };
 
+/// The colours of a material without maps at weights (1 - u - v, u, v) of `triangle`.
 template <typename Real>
-SurfaceColors<Real> plain_colors(const Material& m) {
-  return {Vec3<Real>(m.kd), Vec3<Real>(m.ks), Vec3<Real>(m.ke), Vec3<Real>(m.reflect)};
+SurfaceColors<Real> plain_colors(const Scene& scene, uint32_t triangle, Real u, Real v) {
+  const Material& m = scene.material_of(triangle);
+  SurfaceColors<Real> colors{Vec3<Real>(m.kd), Vec3<Real>(m.ks), Vec3<Real>(m.ke), Vec3<Real>(m.reflect)};
+  if (scene.has_colors()) {
+    const uvec3& corners = scene.triangle_colors[triangle];
+    colors.kd *= (1 - u - v) * Vec3<Real>(scene.colors[corners[0]]) + u * Vec3<Real>(scene.colors[corners[1]]) +
+                 v * Vec3<Real>(scene.colors[corners[2]]);
+  }
+  return colors;
 }
 
 /// The colours that a ray along `dir` (unit) meets at weights (1 - u - v, u, v) of `triangle`, after a path of
@@ -78,7 +86,7 @@ SurfaceColors<Real> textured_colors(const Scene& scene, uint32_t triangle, Real 
                              Vec2<Real>(textures.texcoords[corners[1]]) - t0,
                              Vec2<Real>(textures.texcoords[corners[2]]) - t0, dir, solid_angle, distance);
   const Vec2<Real> uv = texcoord_at(textures, triangle, u, v);
-  SurfaceColors<Real> colors = plain_colors<Real>(m);
+  SurfaceColors<Real> colors = plain_colors(scene, triangle, u, v);
   colors.kd = lookup.mapped_color(m.texture_maps, HRT_MAP_DIFFUSE, colors.kd, uv, footprint);
   colors.ke = lookup.mapped_color(m.texture_maps, HRT_MAP_EMITTED, colors.ke, uv, footprint);
   const V specular = lookup.mapped_color(m.texture_maps, HRT_MAP_SPECULAR, V(1), uv, footprint);

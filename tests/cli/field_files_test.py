@@ -67,6 +67,32 @@ class OpacityTest(FieldCase):
         self.told("invisible_d0/m_d0.obj", "material 'm': all its 12 triangles are invisible (d 0)")
 
 
+class TextureTest(FieldCase):
+    def textured(self, name, *says):
+        rows = self.told(name, *says)
+        self.assertRegex(self.report(os.path.join(FIELD, name))["files"][-1], r"\.(png|PNG)$")
+        self.assertGreater(len({tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}), 8, "a texture")
+        return rows
+
+    def test_texture_case(self):
+        self.textured("texture_case/x_case.obj", "1 texture names lead to no file as written")
+
+    def test_texture_name_forms(self):
+        folder = "texture_name_forms/"
+        quoted = self.textured(folder + "m_quoted.obj", "1 texture names lead to no file as written")
+        self.assertEqual(quoted, self.textured(folder + "x_mapKD.obj"))
+        self.textured(folder + "x_mapD.obj")
+        empty = self.told(folder + "x_emptysp.obj")
+        self.assertEqual(empty, self.plain(folder + "x_emptysp.obj", "x_emptysp.mtl", "newmtl m\nKd 1 1 1\n"))
+
+    def test_texture_path_from_obj(self):
+        self.textured("texture_path_from_obj/m_subrelobj.obj")
+
+    def test_parent_folder_texture(self):
+        for name in ("id/models/model_normalized.obj", "ml/a/x.obj", "ml/a/y.obj"):
+            self.textured("parent_folder_texture/" + name)
+
+
 class HighlightTest(FieldCase):
     def test_specular_ns0(self):
         ns0 = self.told("specular_ns0/m_ns0.obj")

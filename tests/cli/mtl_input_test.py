@@ -118,20 +118,44 @@ class TextureTest(MtlCase):
                          chunk(b"IEND", b""))
 
     def test_missing(self):
-        self.told("both.mtl: 2 texture files are missing ('a.png') (first at line 3)", maps=["a.png", "-s 2 2 b.png"])
+        self.told("both.mtl: 2 texture files are missing ('a.png', 'b.png') (first at line 3)",
+                  maps=["a.png", "-s 2 2 b.png", "a.png"])
 
-    def test_names_that_lead_elsewhere_are_looked_for_beside_the_mtl(self):
+    def test_found_where_their_names_do_not_lead(self):
+        os.mkdir(self.path("Maps"))
         self.write_png("wood.png", 2, 2)
-        self.told("both.mtl: 5 texture names lead to other folders",
-                  maps=["/usr/share/wood.png", "../wood.png", "C:\\maps\\wood.png", "E:/x/wood.png",
-                        "maps\\..\\..\\wood.png"])
-        self.told(maps=["wood.png", "./wood.png", ".\\wood.png"])
+        self.write_png("Maps/My Tile.png", 2, 2)
+        self.told("both.mtl: 7 texture names lead to no file as written; found by case, decoding or their last part "
+                  "('/usr/share/wood.png', ",
+                  maps=["/usr/share/wood.png", "../wood.png", "C:\\maps\\wood.png", "WOOD.png", '"wood.png"',
+                        "maps/my%20tile.PNG", "maps\\..\\..\\wood.png"])
+        self.told(maps=["wood.png", "./wood.png", ".\\wood.png", "Maps\\My Tile.png"])
 
-    def test_never_reads_outside(self):
-        os.mkdir(self.path("outside"))
-        self.write_png("outside/secret.png", 2, 2)
-        self.told("1 texture names lead to other folders", "1 texture files are missing",
-                  maps=[self.path("outside", "secret.png")])
+    def test_other_folders_are_read(self):
+        os.makedirs(self.path("model", "mats"))
+        self.write_png("outside.png", 2, 2, (0, 0, 255))
+        self.write("model/mats/both.mtl", "newmtl red\nmap_Kd ../../outside.png\nnewmtl blue\nmap_Kd " +
+                   self.path("outside.png") + "\n")
+        self.panels(["../mats/both.mtl"])
+        os.mkdir(self.path("model", "obj"))
+        os.rename(self.path("panels.obj"), self.path("model", "obj", "panels.obj"))
+        left, right = self.colours(self.fine("model/obj/panels.obj", *FRONT))
+        self.assertEqual(left, right)
+        self.assertEqual(left[:2], (0, 0), "blue")
+
+    def test_pipes_folders_and_devices_are_checkers_at_once(self):
+        os.mkfifo(self.path("pipe.png"))
+        os.mkdir(self.path("folder.png"))
+        for name in ("pipe.png", "folder.png", "/dev/zero", "/proc/kmsg"):
+            with self.subTest(name):
+                self.write("both.mtl", RED + f"map_Kd {name}\n" + BLUE)
+                self.warn(self.panels(["both.mtl"]), "1 textures cannot be used: map_Kd becomes a checker", options=FRONT)
+
+    def test_map_without_a_name_is_none(self):
+        self.write_png("wood.png", 2, 2)
+        for statements in ("map_Kd \nmap_Ks\n", "map_Kd wood.png\nmap_Kd\n"):
+            self.write("both.mtl", RED + statements + BLUE)
+            self.assertEqual(self.fine(self.panels(["both.mtl"]), *FRONT), self.expected)
 
     def test_corrupt_and_huge_are_checkers_and_take_no_memory(self):
         self.write_bytes("torn.png", b"\x89PNG\r\n\x1a\n\0\0\0")

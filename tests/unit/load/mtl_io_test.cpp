@@ -161,34 +161,45 @@ TEST(Mtl, KeepsTheLastMapOfAKind) {
   EXPECT_TRUE(materials.at(2).maps.at(1).alone) << "no Ke";
 }
 
-TEST(Mtl, TexturesAreFoundBesideTheFileOnly) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.path / "maps");
-  folder.write("wood.png", "x");
-  folder.write("maps/tile.png", "x");
-  const auto found = [&](const string& name) { return find_texture(folder.path, name); };
-  EXPECT_EQ(found("wood.png").path, folder.path / "wood.png");
-  EXPECT_EQ(found("maps/tile.png").path, folder.path / "maps/tile.png");
-  EXPECT_EQ(found("maps\\tile.png").path, folder.path / "maps/tile.png");
-  EXPECT_EQ(found("elsewhere/wood.png").path, folder.path / "wood.png");
-  for (const string foreign : {"/usr/share/wood.png", "..\\wood.png", "C:\\maps\\wood.png", "maps/../../wood.png"}) {
-    EXPECT_TRUE(found(foreign).foreign) << foreign;
-    EXPECT_EQ(found(foreign).path, folder.path / "wood.png") << foreign;
-  }
-  EXPECT_TRUE(found("/etc/passwd").path.empty()) << "never outside";
-  EXPECT_TRUE(found("gone.png").path.empty());
-  EXPECT_TRUE(found("").path.empty());
-  EXPECT_FALSE(found("gone.png").foreign);
-}
-
-TEST(Mtl, SaysWhichTexturesAreMissingOrForeign) {
+TEST(Mtl, SaysWhichTexturesAreMissingOrElsewhere) {
   const TemporaryFolder folder;
   folder.write("wood.png", "x");
   Warnings warnings;
   std::vector<Material> materials;
-  read_mtl(folder.write("test.mtl", "newmtl m\nmap_Kd C:\\x\\wood.png\nmap_Ks gone away.png\n"), materials, warnings);
-  EXPECT_TRUE(warned(warnings, "1 texture names lead to other folders"));
-  EXPECT_TRUE(warned(warnings, "1 texture files are missing ('gone away.png') (first at line 3)"));
+  read_mtl(folder.write("test.mtl",
+                        "newmtl m\nmap_Kd C:\\x\\wood.png\nmap_Ks gone away.png\nmap_Ke gone away.png\nbump b.png\n"
+                        "newmtl n\nmap_Kd C:\\x\\wood.png\nmap_Ks Wood.png\nbump WOOD.png\n"),
+           materials, warnings);
+  EXPECT_TRUE(warned(warnings, "test.mtl: 2 texture files are missing ('gone away.png', 'b.png') (first at line 3)"));
+  EXPECT_TRUE(warned(warnings,
+                     "test.mtl: 2 texture names lead to no file as written; found by case, decoding or their last part "
+                     "('C:\\x\\wood.png', 'Wood.png'; first as " +
+                         (folder.path / "wood.png").string() + ")"))
+      << "a bump map is not read";
+}
+
+TEST(Mtl, MapKeywordsInAnyCaseAndMapsWithoutAName) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "b c.png", "d -s e.png"}) folder.write(name, "x");
+  Warnings warnings;
+  std::vector<Material> materials;
+  read_mtl(folder.write("test.mtl",
+                        "newmtl m\nmap_KD a.png\nMAP_KS a.png\nmap_ke a.png\nmap_D a.png\nnewmtl n\nKd .1 .2 .3\n"
+                        "map_Kd \nmap_Ks\nmap_Ke -s 1 1 1\nmap_d \"\"\nbump\nnewmtl o\nmap_Kd a.png\nmap_Kd\n"
+                        "newmtl p\nmap_Kd -s 2 2 2 \"b c.png\" -o 1\nmap_Ks \"d -s e.png\" -clamp on\n"),
+           materials, warnings);
+  EXPECT_EQ(materials.at(0).maps.size(), 4u);
+  EXPECT_TRUE(materials.at(1).maps.empty());
+  EXPECT_EQ(materials.at(1).kd, vec3(.1f, .2f, .3f));
+  EXPECT_TRUE(materials.at(2).maps.empty()) << "the last counts";
+  ASSERT_EQ(materials.at(3).maps.size(), 2u);
+  EXPECT_EQ(materials[3].maps[0].path, folder.path / "b c.png");
+  EXPECT_EQ(materials[3].maps[0].scale, vec2(2));
+  EXPECT_EQ(materials[3].maps[0].offset, vec2(1, 0));
+  EXPECT_EQ(materials[3].maps[1].path, folder.path / "d -s e.png");
+  EXPECT_TRUE(materials[3].maps[1].clamped);
+  EXPECT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warned(warnings, "2 texture names lead to no file as written")) << "they are in quotes";
 }
 
 TEST(Mtl, EveryIlluminationModelIsOneRowOfTheTable) {
@@ -248,6 +259,38 @@ TEST_F(ObjWithLibraries, MissingOnesAndUnknownNamesGiveDefault) {
   EXPECT_EQ(scene.material_of(2).name, "default");
   EXPECT_TRUE(warned(warnings, "2 material files are missing (first: 'gone.mtl')"));
   EXPECT_TRUE(warned(warnings, "1 triangles use materials that no MTL file defines ('none')"));
+}
+
+TEST_F(ObjWithLibraries, FoundElsewhereWithAWord) {
+  std::filesystem::create_directories(folder.path / "Mats");
+  folder.write("Mats/A b.mtl", "newmtl a\n");
+  folder.write("c.mtl", "newmtl c\n");
+  folder.write("d.mtl", "newmtl d\n");
+  const Scene scene = load(
+      "mtllib mats\\a b.MTL C:\\x\\c.mtl gone/d.mtl lost.mtl\nusemtl a\nf 1 2 3\nusemtl c\nf 1 2 3\n"
+      "usemtl d\nf 1 2 3\n");
+  ASSERT_EQ(scene.materials.size(), 3u);
+  EXPECT_EQ(warnings.size(), 2u);
+  EXPECT_TRUE(warned(warnings, "1 material files are missing (first: 'lost.mtl')"));
+  EXPECT_TRUE(warned(warnings,
+                     "3 material files are not there as written; found by case, decoding or their last part "
+                     "('mats\\a b.MTL', 'C:\\x\\c.mtl', 'gone/d.mtl'; first as " +
+                         (folder.path / "Mats/A b.mtl").string() + ")"));
+}
+
+TEST_F(ObjWithLibraries, TexturesAreLookedForBesideTheObjToo) {
+  std::filesystem::create_directories(folder.path / "sub");
+  folder.write("sub/a.mtl", "newmtl a\nmap_Kd sub/tex.png\nmap_Ks tex.png\nmap_Ke obj.png\n");
+  folder.write("sub/tex.png", "x");
+  folder.write("tex.png", "x");
+  folder.write("obj.png", "x");
+  std::vector<std::string> files;
+  const auto materials = read_libraries(folder.path, {"sub/a.mtl"}, files, warnings);
+  EXPECT_TRUE(warnings.empty());
+  ASSERT_EQ(materials.at(0).maps.size(), 3u);
+  EXPECT_EQ(materials[0].maps[0].path, folder.path / "sub/tex.png");
+  EXPECT_EQ(materials[0].maps[1].path, folder.path / "sub/tex.png") << "beside the MTL first";
+  EXPECT_EQ(materials[0].maps[2].path, folder.path / "obj.png");
 }
 
 TEST_F(ObjWithLibraries, TheFirstOfEqualNamesCounts) {

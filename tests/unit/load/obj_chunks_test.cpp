@@ -36,6 +36,8 @@ void expect_same(const Reading& a, const Reading& b) {
   EXPECT_EQ(a.data.triangle_positions, b.data.triangle_positions);
   EXPECT_EQ(a.data.triangle_normals, b.data.triangle_normals);
   EXPECT_EQ(a.data.texcoords, b.data.texcoords);
+  EXPECT_EQ(a.data.colors, b.data.colors);
+  EXPECT_EQ(a.data.color_full, b.data.color_full);
   EXPECT_EQ(a.data.triangle_texcoords, b.data.triangle_texcoords);
   EXPECT_EQ(a.data.triangle_materials, b.data.triangle_materials);
   EXPECT_EQ(a.data.triangle_places, b.data.triangle_places);
@@ -73,6 +75,20 @@ TEST(ObjChunks, EverythingAtOnce) {
   EXPECT_EQ(whole.data.libraries, (std::vector<string>{"a.mtl", "b c.mtl"}));
   EXPECT_EQ(whole.warnings.size(), 4u) << "a small face, a vt, a normal, an unknown line";
   EXPECT_EQ(whole.data.triangle_places.back(), 33u) << "lines are counted through";
+}
+
+// Colours that begin in the middle, and comments of ZBrush that belong to vertices by their order.
+TEST(ObjChunks, Colours) {
+  const Reading painted = expect_chunks_do_not_matter(
+      "v 0 0 0\nv 1 0 0 1\nv 1 1 0 .5 0.25 1\nv 0 1 0 1 x 0\nv 0 2 0 0 0 1 1\nv 1 2 0\nf 1 2 3\n#MRGB ff000000\n");
+  EXPECT_EQ(painted.data.colors,
+            (std::vector<vec3>{vec3(-1), vec3(-1), vec3(.5f, .25f, 1), vec3(-1), vec3(0, 0, 1), vec3(-1)}));
+  EXPECT_EQ(painted.warnings.size(), 2u) << "an x, and #MRGB beside colours of vertices";
+  const Reading zbrush = expect_chunks_do_not_matter(
+      "#File\nv 0 0 0\nv 1 0 0\n#MRGB ffFF0080ff00ff00\nv 0 1 0\n#MRGB 010203\n#MRGB fF0000fF \n#MRGBx\nf 1 2 3\n");
+  EXPECT_EQ(zbrush.data.colors, (std::vector<vec3>{{255, 0, 128}, {0, 255, 0}, {0, 0, 255}}));
+  EXPECT_EQ(zbrush.data.color_full, 255);
+  EXPECT_EQ(zbrush.warnings.size(), 1u) << "a line of six digits";
 }
 
 TEST(ObjChunks, EndsOfLines) {
