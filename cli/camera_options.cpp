@@ -1,10 +1,10 @@
 #include "cli/camera_options.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "core/base/error.h"
 #include "core/load/camera_json.h"
-#include "core/scene/framing.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -43,29 +43,50 @@ void warn_of_stray(const Scene& scene, const Framing& framing, Warnings& warning
       framing.left_out, p.x, p.y, p.z));
 }
 
+/// A scene that lies flat across z was probably made where z points up.
+void hint_at_up_axis(const RenderOptions& o, const SceneSource& source, const Aabb& framed, Warnings& warnings) {
+  constexpr float kThin = 0.25f;
+  if (o.up_axis || source.up_axis) return;
+  const vec3 size = framed.extent();
+  if (size.z > 0 && size.z < kThin * std::min(size.x, size.y))
+    warnings.push_back("the scene lies flat across its z axis; if z points up, say --up-axis z (else --up-axis y)");
+}
+
+bool gives_lights(const RenderOptions& o, const SceneSource& source, const CameraCourse& course) {
+  const auto* path = std::get_if<CameraPath>(&course);
+  return o.light || source.lights || (path && light_on_path(*path, path->keys.front().frame));
+}
+
 /// The camera named by an option or by the scene, if any.
 std::optional<CameraCourse> named_course(const RenderOptions& o, const SceneSource& source, const RenderJob& job,
-                                         UpAxis up_axis, double aspect, double fov_y_rad, Warnings& warnings) {
+                                         const Aabb& framed, UpAxis up_axis, double aspect, double fov_y_rad,
+                                         Warnings& warnings) {
   if (!o.camera.empty()) return read_camera_file(o.camera, up_axis, warnings);
   if (!o.eye) return camera_of(source, up_axis, warnings);
-  const Aabb framed = frame_scene(job.scene).bounds;
   Camera still = still_camera(o, up_axis, default_orbit(job.scene, framed, aspect, fov_y_rad).target_world, warnings);
   return still;
 }
 
 }  // namespace
 
-ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, const RenderJob& job, UpAxis up_axis,
-                           ThreadPool& pool, Warnings& warnings) {
+ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, const RenderJob& job,
+                           const Framing& framing, UpAxis up_axis, ThreadPool& pool, Warnings& warnings) {
   require_one_camera(o);
   const double fov_y_rad = o.fov_y_rad.value_or(Camera().fov_y_rad);
   const double aspect = static_cast<double>(job.settings.width_px) / job.settings.height_px;
   ChosenCamera chosen;
-  if (auto named = named_course(o, source, job, up_axis, aspect, fov_y_rad, warnings)) {
+  if (auto named = named_course(o, source, job, framing.bounds, up_axis, aspect, fov_y_rad, warnings)) {
     chosen.course = std::move(*named);
+    const Camera first = camera_at({chosen.course, job.motion.sequence}, job.motion.sequence.first);
+    if (!gives_lights(o, source, chosen.course) &&
+        framing.bounds.holds(vec3(first.eye_world - job.scene.origin_world))) {
+      chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
+      if (is_in_closed_room(job.scene, *chosen.caster.caster, first.eye_world))
+        chosen.surroundings = Surroundings::inside;
+    }
   } else {
     chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
-    const Framing framing = frame_scene(job.scene);
+    hint_at_up_axis(o, source, framing.bounds, warnings);
     warn_of_stray(job.scene, framing, warnings);
     const DefaultView view = choose_default_view(job.scene, framing.bounds, *chosen.caster.caster, aspect, fov_y_rad);
     chosen.surroundings = view.surroundings;

@@ -7,6 +7,7 @@
 #include "core/image_io/read_image.h"
 #include "core/load/loading_bytes.h"
 #include "core/render/memory_estimate.h"
+#include "core/scene/ground.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -34,7 +35,6 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
                           LoadProgress* progress) {
   RenderJob job;
   job.settings = finished_settings(o);
-  job.settings.ambient = source.ambient.value_or(job.settings.ambient);
   job.settings.background = o.background.value_or(source.background.value_or(job.settings.background));
   job.frames = parse_frame_spec(o.frames);
   job.motion.sequence = make_sequence(o, job.frames);
@@ -44,15 +44,18 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
 
   const size_t lights = light_count(o, source);
   require_room_for_frames(job.settings, lights, pool.size(), job.frames.count(), job.most_bytes);
-  set_scene(job,
-            load_scene(source, o.up_axis, pool, warnings, {job.most_bytes, progress, read_texels, o.linear_colors}),
-            pool);
+  Scene scene = load_scene(source, o.up_axis, pool, warnings, {job.most_bytes, progress, read_texels, o.linear_colors});
+  const Framing framing = frame_scene(scene);
+  if (o.ground) add_ground(scene, framing.bounds);
+  set_scene(job, std::move(scene), pool);
   require_room_for_run(job, source, lights, pool.size());
 
   const UpAxis up_axis = o.up_axis ? *o.up_axis : source.up_axis.value_or(UpAxis::y);
-  ChosenCamera camera = choose_camera(o, source, job, up_axis, pool, warnings);
+  ChosenCamera camera = choose_camera(o, source, job, framing, up_axis, pool, warnings);
   job.motion.course = std::move(camera.course);
   job.caster = std::move(camera.caster);
+  job.settings.ambient =
+      choose_ambient(o, source, camera_at(job.motion, job.motion.sequence.first), up_axis, camera.surroundings);
   job.lights = choose_lights(o, source, job.motion, job.settings.ambient, up_axis, camera.surroundings, warnings);
   return job;
 }

@@ -13,29 +13,39 @@ dvec3 unit(const dvec3& v) { return glm::normalize(v / std::max({std::abs(v.x), 
 
 /// The lights before the camera's motion moves any of them.
 std::vector<DirectionalLight> still_lights(const RenderOptions& o, const SceneSource& source, const Camera& first,
-                                           const vec3& ambient, UpAxis up_axis, Surroundings surroundings) {
+                                           const AmbientLight& ambient, UpAxis up_axis, Surroundings surroundings) {
   if (!o.light && source.lights) {
     std::vector<DirectionalLight> lights = *source.lights;
     for (DirectionalLight& light : lights) light.toward = y_up_from_files(up_axis, light.toward);
     return lights;
   }
   DirectionalLight light = default_light(surroundings, first, ambient);
-  if (source.lights && !source.lights->empty()) light.color = source.lights->front().color;
   if (o.light) {
     light.casts_shadow = true;
     light.toward = unit(y_up_from_files(up_axis, *o.light));
+    light.color = color_beside(ambient, light.toward);
+    if (source.lights && !source.lights->empty()) light.color = source.lights->front().color;
   }
   return {light};
 }
 
 }  // namespace
 
+AmbientLight choose_ambient(const RenderOptions& o, const SceneSource& source, const Camera& first, UpAxis up_axis,
+                            Surroundings surroundings) {
+  if (source.ambient) return *source.ambient;
+  if (source.lights) return {};
+  const dvec3 toward =
+      o.light ? unit(y_up_from_files(up_axis, *o.light)) : default_light(surroundings, first, {}).toward;
+  return default_ambient(surroundings, toward);
+}
+
 size_t light_count(const RenderOptions& o, const SceneSource& source) {
   return !o.light && source.lights ? source.lights->size() : 1;
 }
 
 LightMotion choose_lights(const RenderOptions& o, const SceneSource& source, const CameraMotion& camera,
-                          const vec3& ambient, UpAxis up_axis, Surroundings surroundings, Warnings& warnings) {
+                          const AmbientLight& ambient, UpAxis up_axis, Surroundings surroundings, Warnings& warnings) {
   const int first = camera.sequence.first;
   const auto* path = std::get_if<CameraPath>(&camera.course);
   const std::optional<dvec3> keyed = path && !o.light ? light_on_path(*path, first) : std::nullopt;

@@ -92,6 +92,8 @@ std::vector<RenderOption> picture() {
       {"--background", "R,G,B", group,
        "Colour where nothing is seen, linear; replaces the scene's (default a blue grey)",
        [](Options& o, Text t) { o.background = parse_color("--background", t); }},
+      {"--ground", "", group, "Put a floor under the scene",
+       [](Options& o, Text t) { o.ground = parse_flag("--ground", t); }},
       {"--alpha", "", group, "A fourth channel: coverage (PNG, TIFF: colours as they are; EXR: times coverage)",
        [](Options& o, Text t) { o.settings.alpha = parse_flag("--alpha", t); }},
       {"--aov", "LIST", group,

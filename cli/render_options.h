@@ -28,6 +28,7 @@ struct RenderOptions {
   std::optional<UpAxis> up_axis;       ///< default: what the scene says
   std::optional<vec3> background;      ///< linear; default: what the scene says
   bool linear_colors = false;          ///< the meshes' colours are linear, not sRGB
+  bool ground = false;                 ///< a floor under the scene
   std::string camera;                  ///< camera path file
   std::optional<dvec3> eye, target, up, light;
   bool light_follows_camera = false;

@@ -20,6 +20,7 @@ uniform int masked_lights;  // bit i: light i casts shadows, layer i of the mask
 uniform vec3 to_light[HRT_MAX_LIGHTS];
 uniform vec3 light[HRT_MAX_LIGHTS];
 uniform vec3 ambient;
+uniform vec3 ambient_slope;
 uniform vec3 background;
 
 vec3 shading_normal(uint id, vec3 weights, vec3 side) {
@@ -87,7 +88,7 @@ vec4 shaded(ivec2 pixel, uint id) {
   if (ke_maps.a != 0.0) apply_textures(uint(ke_maps.a), id, t, weights, dir, kd, ks, ke);
 #endif
   vec3 normal = shading_normal(id, weights, side);
-  vec3 color = phong_unlit(kd, ke, ks_opacity.a, ambient);
+  vec3 color = phong_unlit(kd, ke, ks_opacity.a, ambient_at(ambient, ambient_slope, normal));
   float alpha = HRT_ALPHA_UNLIT;
   for (int i = 0; i < HRT_LIGHT_COUNT; ++i)
     if (arrives(i, pixel, side)) {

@@ -28,6 +28,11 @@ HRT_FN Vec3 normalized_or(Vec3 v, Vec3 otherwise) {
   return squared > Real(0) ? v / sqrt(squared) : otherwise;
 }
 
+// The ambient light at a surface with this `normal` (unit): `slope` says from where more of it comes, and how much.
+HRT_FN Vec3 ambient_at(Vec3 ambient, Vec3 slope, Vec3 normal) {
+  return max(Real(1) + dot(slope, normal), Real(0)) * ambient;
+}
+
 // What a surface shows in shadow: emission + ambient light. `opacity` is MTL's d.
 HRT_FN Vec3 phong_unlit(Vec3 kd, Vec3 ke, Real opacity, Vec3 ambient) { return ke + opacity * ambient * kd; }
 

@@ -54,7 +54,8 @@ void ShadePass::run(const In& in, const Out& out) const {
   view_.set(in.view);
   use_traced_.set(in.traced ? 1 : 0);
   set_lights(in);
-  ambient_.set(in.ambient);
+  ambient_.set(in.ambient.color);
+  ambient_slope_.set(in.ambient.slope);
   background_.set(in.background);
   if (sample_area_) sample_area_->set(static_cast<float>(in.view.sample_area()));
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);

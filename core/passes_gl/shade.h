@@ -24,7 +24,8 @@ struct ShadePass {
     const gl::TextureArray* mask;  ///< R8UI, a layer per light: HRT_MASK_LIT where it arrives; null: everywhere
     const gl::Texture* traced;     ///< RGBA32F, added to the colour; null: nothing
     std::span<const DirectionalLight> lights;  ///< `light_count` of them; those without shadows arrive everywhere
-    vec3 ambient, background;
+    AmbientLight ambient;
+    vec3 background;
   };
   struct Out {
     const gl::Texture& picture;  ///< RGBA32F, linear; alpha is one of HRT_ALPHA_*
@@ -43,7 +44,8 @@ struct ShadePass {
   ViewUniforms view_{program_};
   std::vector<LightUniforms> lights_;
   gl::Uniform<int> masked_lights_{program_, "masked_lights"}, use_traced_{program_, "use_traced"};
-  gl::Uniform<vec3> ambient_{program_, "ambient"}, background_{program_, "background"};
+  gl::Uniform<vec3> ambient_{program_, "ambient"}, ambient_slope_{program_, "ambient_slope"},
+      background_{program_, "background"};
   std::optional<gl::Uniform<float>> sample_area_;  ///< only with textures
 };
 

@@ -14,10 +14,12 @@ namespace {
 constexpr int kWidth_px = 32, kHeight_px = 24;
 constexpr double kMostlyBackFaces = 0.6;  // a larger share: a room seen from outside
 constexpr double kHardlyAnyBackFaces = 0.05;
+constexpr double kABackdrop = 0.3;   // a larger share of back faces: something is seen from behind
 constexpr double kMoreInside = 1.3;  // as many times the triangles seen from outside: a building
 constexpr double kClosed = 0.95;     // share of rays from inside that meet a wall
 constexpr double kRoofed = 0.8;      // the same where back faces already show that these are walls
 constexpr int kAzimuths = 16;
+constexpr double kMargin = 1.04;
 constexpr double kSway_rad = 14 * kPi / 180, kLookInElevation_rad = 4 * kPi / 180;
 
 /// What a bundle of rays sees.
@@ -75,8 +77,25 @@ Orbit level(Orbit orbit) {
   return orbit;
 }
 
-/// An orbit that sways in front of the scene's open side, if there is one.
-std::optional<Orbit> look_in(const Scene& scene, const RayCaster<float>& caster, const Orbit& around, double aspect) {
+/// The distance from which all of `box` (world space) is in the picture, all the way along the orbit about its middle.
+double distance_to_see(const dvec3& half_extent, const Orbit& orbit, double aspect) {
+  const double tan_half_height = std::tan(0.5 * orbit.fov_y_rad), tan_half_width = aspect * tan_half_height;
+  double distance = 0;
+  for (int step = 0; step <= 8; ++step) {
+    const Camera camera = camera_on_orbit(orbit, step / 8.0);
+    const View view = make_view(camera, camera.target_world, 1, 1);
+    for (int corner = 0; corner < 8; ++corner) {
+      const dvec3 p = half_extent * dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      distance = std::max({distance, std::abs(glm::dot(p, view.right)) / tan_half_width - glm::dot(p, view.forward),
+                           std::abs(glm::dot(p, view.up)) / tan_half_height - glm::dot(p, view.forward)});
+    }
+  }
+  return distance;
+}
+
+/// An orbit that sways in front of the scene's open side, if there is one, with the whole opening in the picture.
+std::optional<Orbit> look_in(const Scene& scene, const Aabb& framed, const RayCaster<float>& caster,
+                             const Orbit& around, double aspect) {
   Orbit orbit = level(around);
   double best_share = 1, best_azimuth = 0;
   for (int i = 0; i < kAzimuths; ++i) {
@@ -87,6 +106,29 @@ std::optional<Orbit> look_in(const Scene& scene, const RayCaster<float>& caster,
   if (best_share > kHardlyAnyBackFaces) return std::nullopt;
   orbit.from_rad = best_azimuth - kSway_rad;
   orbit.to_rad = best_azimuth + kSway_rad;
+  orbit.target_world = scene.origin_world + dvec3(framed.center());
+  const double larger =
+      kMargin * distance_to_see(0.5 * dvec3(framed.extent()), orbit, aspect) / std::hypot(orbit.radius, orbit.height);
+  orbit.radius *= larger;
+  orbit.height *= larger;
+  return orbit;
+}
+
+/// The orbit, turned so that it starts where no backdrop is seen from behind, if it would start so.
+Orbit start_in_front(const Scene& scene, const RayCaster<float>& caster, Orbit orbit, double aspect) {
+  const auto back_share = [&](int turn) {
+    return look_from(scene, caster, camera_on_orbit(orbit, static_cast<double>(turn) / kAzimuths), aspect).back_share();
+  };
+  if (back_share(0) <= kABackdrop) return orbit;
+  for (int turn = 0; turn <= kAzimuths; ++turn) {  // the middle of the first range of turns that is a front
+    if (back_share(turn) > kHardlyAnyBackFaces) continue;
+    int end = turn;
+    while (end + 1 < turn + kAzimuths && back_share(end + 1) <= kHardlyAnyBackFaces) ++end;
+    const double angle = 0.5 * (turn + end) / kAzimuths * (orbit.to_rad - orbit.from_rad);
+    orbit.from_rad += angle;
+    orbit.to_rad += angle;
+    return orbit;
+  }
   return orbit;
 }
 
@@ -187,32 +229,22 @@ bool inside_shows_more(const Scene& scene, const RayCaster<float>& caster, const
 
 }  // namespace
 
+bool is_in_closed_room(const Scene& scene, const RayCaster<float>& caster, const dvec3& eye_world) {
+  const Seen seen = look_around(scene, caster, vec3(eye_world - scene.origin_world), sphere_directions(500));
+  return seen.hits >= kClosed * seen.rays && seen.back_share() < 0.5;
+}
+
 DefaultView choose_default_view(const Scene& scene, const Aabb& framed, const RayCaster<float>& caster, double aspect,
                                 double fov_y_rad) {
   const Orbit around = default_orbit(scene, framed, aspect, fov_y_rad);
   const Seen outside = look_from_all_around(scene, caster, around, aspect);
   const bool walls = outside.back_share() > kMostlyBackFaces;
   if (walls)
-    if (const auto orbit = look_in(scene, caster, around, aspect)) return {Surroundings::open, *orbit};
+    if (const auto orbit = look_in(scene, framed, caster, around, aspect)) return {Surroundings::open, *orbit};
   const std::optional<vec3> spot = roomiest_point(scene, framed, caster);
   if (spot && (walls ? is_roofed(scene, caster, *spot) : inside_shows_more(scene, caster, *spot, outside)))
     return {Surroundings::inside, stand_at(scene, caster, *spot, fov_y_rad)};
-  return {Surroundings::outside, around};
-}
-
-DirectionalLight default_light(Surroundings surroundings, const Camera& camera, const vec3& ambient) {
-  const dvec3 up(0, 1, 0);
-  dvec3 back = camera.eye_world - camera.target_world;
-  back -= glm::dot(back, up) * up;
-  back = glm::length(back) > 0 ? glm::normalize(back) : dvec3(0, 0, 1);
-  const dvec3 left = glm::cross(back, up);
-
-  DirectionalLight light;
-  light.color = vec3(1) - ambient;
-  light.casts_shadow = surroundings != Surroundings::inside;
-  light.toward = glm::normalize(surroundings == Surroundings::outside ? 1.2 * up + 0.7 * left + 0.6 * back
-                                                                      : 0.45 * up + 0.35 * left + back);
-  return light;
+  return {Surroundings::outside, start_in_front(scene, caster, around, aspect)};
 }
 
 }  // namespace hybridrt

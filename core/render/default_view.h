@@ -24,10 +24,8 @@ struct DefaultView {
 DefaultView choose_default_view(const Scene& scene, const Aabb& framed, const RayCaster<float>& caster, double aspect,
                                 double fov_y_rad);
 
-/// The light when none is given. Together with the ambient light it makes a white surface that faces it just white.
-/// Outside it comes from above, left of and behind `camera`; through a room's open side it comes in lower, so that it
-/// reaches the far wall. In a closed room, where no outside light gets in, the camera carries it and it casts no
-/// shadows (`camera` is then that of each frame, else that of the first).
-DirectionalLight default_light(Surroundings surroundings, const Camera& camera, const vec3& ambient);
+/// Whether walls are seen from `eye_world` in nearly all directions, and their front: the camera stands in a closed
+/// room, which no light from outside enters. 500 rays are traced.
+bool is_in_closed_room(const Scene& scene, const RayCaster<float>& caster, const dvec3& eye_world);
 
 }  // namespace hybridrt

@@ -85,7 +85,7 @@ uint64_t fingerprint(uint64_t scene, const FrameRequest& request, const RenderSe
     hash.vector(light.color);
     hash.word(light.casts_shadow);
   }
-  for (const vec3& color : {s.ambient, s.background}) hash.vector(color);
+  for (const vec3& color : {s.ambient.color, s.ambient.slope, s.background}) hash.vector(color);
   for (int x :
        {s.width_px, s.height_px, static_cast<int>(s.method), static_cast<int>(s.shadows), s.blur_kernel_px,
         s.shadow_map_px, static_cast<int>(s.shadow_warp), s.reflection_depth, s.samples, static_cast<int>(s.alpha)})

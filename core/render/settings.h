@@ -6,6 +6,7 @@
 
 #include "core/base/math.h"
 #include "core/base/named.h"
+#include "core/scene/scene.h"
 
 namespace hybridrt {
 
@@ -72,10 +73,10 @@ struct RenderSettings {
   int samples = 1;           ///< samples per pixel, averaged
   Accel accel = Accel::embree;
   int frames_in_flight = 2;
-  uint32_t aovs = 0;      ///< Aov bits
-  vec3 ambient{0.15f};    ///< light from everywhere, times Kd; linear
-  vec3 background{0.7f};  ///< linear
-  bool alpha = false;     ///< pictures with a fourth channel, coverage, in place of the background
+  uint32_t aovs = 0;                     ///< Aov bits
+  AmbientLight ambient;                  ///< times Kd
+  vec3 background{0.21f, 0.25f, 0.32f};  ///< linear
+  bool alpha = false;                    ///< pictures with a fourth channel, coverage, in place of the background
 };
 
 /// The part of the frame that is delivered: the crop, or all of it.

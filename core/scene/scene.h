@@ -18,6 +18,16 @@ struct DirectionalLight {
   bool casts_shadow = true;
 };
 
+/// Light from all around, which casts no shadow and may be stronger from one side: `color` * (1 + dot(slope, normal)),
+/// at least 0, arrives at a surface.
+struct AmbientLight {
+  vec3 color{0.15f};  ///< linear
+  vec3 slope{0};      ///< toward where more light comes from
+
+  AmbientLight() = default;
+  AmbientLight(const vec3& color_, const vec3& slope_ = vec3(0)) : color(color_), slope(slope_) {}
+};
+
 size_t count_shadow_casters(std::span<const DirectionalLight> lights);
 
 /// Indexed triangles, filled once and then only read. Positions are floats relative to `origin_world`

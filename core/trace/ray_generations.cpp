@@ -21,7 +21,8 @@ template <typename Real>
 RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>* caster)
     : job_(job),
       caster_(caster),
-      ambient_(job.ambient),
+      ambient_(job.ambient.color),
+      ambient_slope_(job.ambient.slope),
       background_(job.background),
       asks_buffers_(job.has_buffers()),
       shadow_queues_(job.lights.size()) {
@@ -160,7 +161,8 @@ template <typename Real>
 Vec3<Real> RayGenerations<Real>::color_of(size_t i, const SurfaceColors<Real>& paint) const {
   const Surface<Real>& surface = surfaces_[i];
   const Material& m = job_.scene.materials[surface.material];
-  Vec3<Real> color = phong_unlit(paint.kd, paint.ke, Real(m.opacity), ambient_);
+  Vec3<Real> color =
+      phong_unlit(paint.kd, paint.ke, Real(m.opacity), ambient_at(ambient_, ambient_slope_, surface.normal));
   for (size_t l = 0; l < to_light_.size(); ++l)
     if (lit_[i] >> l & 1)
       color += phong_light(paint.kd, paint.ks, Real(m.ns), Real(m.opacity), surface.normal, -batch_rays_[i].dir,

@@ -63,7 +63,7 @@ class RayGenerations {
 
   const TraceJob& job_;
   const RayCaster<Real>* caster_;
-  const Vec3<Real> ambient_, background_;
+  const Vec3<Real> ambient_, ambient_slope_, background_;
   std::vector<Vec3<Real>> to_light_, light_color_;  ///< one per light
   const bool asks_buffers_;
 

@@ -20,11 +20,13 @@ using Vec3 = glm::dvec3;
 #undef HRT_FN
 
 namespace hybridrt {
+using surface_double::ambient_at;
 using surface_double::clamped_barycentrics;
 using surface_double::normalized_or;
 using surface_double::phong_light;
 using surface_double::phong_unlit;
 using surface_double::turned_toward;
+using surface_single::ambient_at;
 using surface_single::clamped_barycentrics;
 using surface_single::normalized_or;
 using surface_single::phong_light;

@@ -24,7 +24,7 @@ struct TraceJob {
                                     ///< or none has
   bool shadows = true;              ///< shadow rays at the hits of reflected and refracted rays
   int reflection_depth = 4;         ///< generations after the primary one
-  vec3 ambient{0.15f};              ///< times Kd
+  AmbientLight ambient{};           ///< times Kd
   vec3 background{0.7f};            ///< the colour of rays that meet nothing
 
   bool eye_enclosed = false;  ///< see may_be_enclosed

@@ -80,7 +80,8 @@ class Painter {
  private:
   vec3 shade(const Surface<float>& surface, const vec3& dir, bool lit) const {
     const Material& m = job_.scene.materials[surface.material];
-    const vec3 unlit = phong_unlit(m.kd, m.ke, m.opacity, job_.ambient);
+    const vec3 unlit =
+        phong_unlit(m.kd, m.ke, m.opacity, ambient_at(job_.ambient.color, job_.ambient.slope, surface.normal));
     return lit ? unlit + phong_light(m.kd, m.ks, m.ns, m.opacity, surface.normal, -dir, to_light_,
                                      job_.lights[0].light.color)
                : unlit;

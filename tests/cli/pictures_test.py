@@ -107,5 +107,38 @@ class NothingToSeeTest(CliTestCase):
         self.assertEqual(os.path.exists(self.path("x.0001.png")), True)
 
 
+class FirstPictureTest(CliTestCase):
+    # Five walls of a room seen from their front, and the one that closes it.
+    ROOM = BOX.split("f ")[0] + "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n"
+
+    def test_the_carried_light_stays_with_a_camera_of_ones_own(self):
+        self.write("room.obj", self.ROOM)
+        self.write("path.json", json.dumps({"keyframes": [
+            {"frame": 1, "eye": [0.5, 0.5, 0.6], "target": [0.5, 0.4, 0]}]}))
+        for camera in (("--eye", "0.5,0.5,0.6", "--target", "0.5,0.4,0"), ("--camera", "path.json")):
+            done = self.succeed("render", "room.obj", *SMALL, "-q", "-o", "x.png", *camera)
+            self.assertEqual(done.stderr, "", "some light arrives")
+            self.assertGreater(min(Png.read(self.path("x.png")).pixel(48, 36)), 150)
+
+    def test_z_up_is_suggested(self):
+        lines = BOX.splitlines()
+        flat = "\n".join(line[:-1] + "0.1" if line.startswith("v ") and line.endswith("1") else line for line in lines)
+        self.write("flat.obj", flat + "\n")
+        hint = "if z points up, say --up-axis z"
+        self.assertIn(hint, self.succeed("render", "flat.obj", *SMALL, "-q").stderr)
+        for axis in "yz":
+            self.assertEqual(self.succeed("render", "flat.obj", *SMALL, "-q", "--up-axis", axis).stderr, "")
+        self.write("box.obj", BOX)
+        self.assertEqual(self.succeed("render", "box.obj", *SMALL, "-q").stderr, "")
+
+    def test_ground(self):
+        self.write("box.obj", BOX)
+        for method in METHODS:
+            self.succeed("render", "box.obj", *SMALL, "-q", "-o", "x.png", "--ground", "--method", method)
+            picture = Png.read(self.path("x.png"))
+            self.assertEqual(len({picture.pixel(x, 71) for x in (0, 95)}), 1)
+            self.assertNotEqual(picture.pixel(0, 71), picture.pixel(0, 0), "ground below, background above")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/render/default_view.h"
+#include "core/render/default_light.h"
 #include "core/render/render_job.h"
 #include "tests/support/load_scene.h"
 

@@ -196,7 +196,7 @@ TEST_F(Methods, SamplesConverge) {
   };
   const double one = error(with_samples(Method::hybrid, 1)), four = error(with_samples(Method::hybrid, 4)),
                sixteen = error(with_samples(Method::hybrid, 16));
-  EXPECT_LT(four, 0.75 * one);
+  EXPECT_LT(four, 0.8 * one);
   EXPECT_LT(sixteen, 0.75 * four);
   EXPECT_LT(error(with_samples(Method::hybrid, 64)), 0.05 * one) << "the same pattern";
   EXPECT_LT(error(with_samples(Method::raytrace, 64)), 0.05 * one);

@@ -156,7 +156,7 @@ TEST_F(SeveralLights, WithoutAnyThereIsAmbientLightAndEmission) {
     vec3 expected = job.background;
     if (ids[i] != kNoTriangle) {
       const Material& material = scene.material_of(ids[i]);
-      expected = material.ke + material.opacity * job.ambient * material.kd;
+      expected = material.ke + material.opacity * job.ambient.color * material.kd;
     }
     ASSERT_EQ(vec3(picture[i]), expected) << i;
   }

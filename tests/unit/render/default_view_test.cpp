@@ -1,7 +1,9 @@
 #include "core/render/default_view.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/render/default_light.h"
 #include "core/scene/view.h"
 #include "core/trace/embree_caster.h"
 #include "tests/support/load_scene.h"
@@ -67,6 +69,74 @@ TEST(DefaultView, SharedScenesAreWhatTheyAre) {
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "the shared scenes are not here";
     EXPECT_EQ(view_of(path.string()).surroundings, surroundings) << name;
   }
+}
+
+TEST(DefaultView, TheWholeOpeningIsInThePicture) {
+  for (const vec3& size : {vec3(1), vec3(3, 1, 1), vec3(1, 3, 1), vec3(1, 1, 4)}) {
+    std::string corners;
+    for (int i : {0, 1, 3, 2, 4, 5, 7, 6})
+      corners +=
+          fmt::format("v {} {} {}\n", i & 1 ? size.x : -size.x, i & 2 ? size.y : -size.y, i & 4 ? size.z : -size.z);
+    const DefaultView view = view_of_obj(corners + kFiveWallsInward);
+    ASSERT_EQ(view.surroundings, Surroundings::open);
+    for (double fraction : {0.0, 0.3, 1.0}) {
+      const View seen = make_view(camera_on_orbit(view.orbit, fraction), dvec3(0), 400, 300);
+      for (int corner = 0; corner < 4; ++corner) {
+        const dvec3 p = dvec3(corner & 1 ? size.x : -size.x, corner & 2 ? size.y : -size.y, size.z) - seen.eye;
+        EXPECT_LT(std::abs(glm::dot(p, seen.right)), seen.tan_half_width * glm::dot(p, seen.forward));
+        EXPECT_LT(std::abs(glm::dot(p, seen.up)), seen.tan_half_height * glm::dot(p, seen.forward));
+      }
+    }
+  }
+}
+
+// A floor that rises to a wall behind a ball, both seen from their front only.
+TEST(DefaultView, ABackdropIsSeenFromItsFront) {
+  for (int side = 0; side < 4; ++side) {
+    const double angle = side * kPi / 2, c = std::cos(angle), s = std::sin(angle);
+    std::string text;
+    for (const dvec3& p : {dvec3(-4, 0, 4), dvec3(4, 0, 4), dvec3(4, 0, -4), dvec3(-4, 0, -4), dvec3(4, 6, -4),
+                           dvec3(-4, 6, -4), dvec3(0, 0.1, 0), dvec3(0.2, 0.1, 0), dvec3(0, 0.4, 0)})
+      text += fmt::format("v {} {} {}\n", c * p.x + s * p.z, p.y, c * p.z - s * p.x);
+    const DefaultView view = view_of_obj(text + "f 1 2 3 4\nf 4 3 5 6\nf 7 8 9\n");
+    EXPECT_EQ(view.surroundings, Surroundings::outside);
+    const dvec3 eye = camera_on_orbit(view.orbit, 0).eye_world;
+    EXPECT_GT(eye.x * s + eye.z * c, 0) << "side " << side;
+    EXPECT_NEAR(view.orbit.to_rad - view.orbit.from_rad, 2 * kPi, 1e-9) << "a whole turn";
+  }
+}
+
+TEST(DefaultView, KnowsWhetherACameraStandsInAClosedRoom) {
+  ThreadPool pool(1);
+  Warnings warnings;
+  const TemporaryFolder folder;
+  const auto inside = [&](const std::string& faces, const dvec3& eye) {
+    const Scene scene = load_scene(folder.write("room.obj", kCorners + faces).string(), pool, warnings);
+    return is_in_closed_room(scene, *make_embree_caster(scene, 1), eye);
+  };
+  const std::string walls = kFiveWallsInward, closed = walls + kFrontWallInward;
+  EXPECT_TRUE(inside(closed, {0.5, 0, 0.3}));
+  EXPECT_FALSE(inside(closed, {0, 0, 3}));
+  EXPECT_FALSE(inside(walls, {0, 0, 0})) << "open at the front";
+  EXPECT_FALSE(inside("f 4 3 2 1\nf 5 8 4 1\nf 3 7 6 2\nf 2 6 5 1\nf 8 7 3 4\nf 6 7 8 5\n", {0, 0, 0})) << "in a solid";
+}
+
+// Whichever way a surface faces, outside or in an open room, its brightness changes with its direction.
+TEST(DefaultAmbient, ShowsFormWhereTheLightDoesNotReach) {
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const dvec3 toward = glm::normalize(dvec3(random.direction()));
+    const AmbientLight ambient = default_ambient(Surroundings::outside, toward);
+    EXPECT_GT(glm::length(ambient.slope), 0.5f);
+    EXPECT_LT(glm::length(ambient.slope), 1) << "no surface is black";
+    EXPECT_GT(ambient.slope.y, 0) << "more from the sky";
+    const dvec3 level(toward.x, 0, toward.z);
+    EXPECT_LE(glm::dot(dvec3(ambient.slope), level), 0) << "more from the light's other side";
+    const DirectionalLight light = default_light(Surroundings::outside, {dvec3(random.direction()), dvec3(0)}, ambient);
+    const vec3 white = light.color + ambient.color * (1 + glm::dot(ambient.slope, vec3(light.toward)));
+    EXPECT_NEAR(white.x, 1, 1e-6) << "a white surface that faces the light is just white";
+  }
+  EXPECT_EQ(default_ambient(Surroundings::inside, {0, 1, 0}).slope, vec3(0));
 }
 
 TEST(DefaultLight, ComesFromAboveLeftAndBehindTheCamera) {
