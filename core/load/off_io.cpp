@@ -1,10 +1,13 @@
 #include "core/load/off_io.h"
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "core/base/error.h"
 #include "core/base/warnings.h"
 #include "core/load/mesh_builder.h"
+#include "core/load/mesh_colors.h"
 #include "core/load/text_lines.h"
 
 namespace hybridrt {
@@ -26,6 +29,11 @@ class OffLines {
   }
 
   bool done() const { return trimmed(rest_).empty(); }
+  size_t words_left() const {
+    size_t count = 0;
+    for (std::string_view rest = rest_; !take_word(rest).empty();) ++count;
+    return count;
+  }
   std::string_view word() { return take_word(rest_); }
   bool next_word_is(std::string_view expected) const {
     std::string_view peek = rest_;
@@ -72,6 +80,33 @@ OffKind parse_keyword(const MeshBuilder& mesh, std::string_view keyword, size_t 
   return kind;
 }
 
+/// Appends a vertex's colour, if any vertex so far has one. `before`: the vertices before it.
+void add_color(std::vector<vec3>& colors, size_t before, const vec3& color) {
+  if (color == kNoColor && colors.empty()) return;
+  colors.resize(before, kNoColor);
+  colors.push_back(color);
+}
+
+/// Reads a colour, three numbers or four with alpha, which are all that is left of the line but `behind` numbers. Other
+/// colours, of colour maps, are counted in `unread`.
+vec3 read_color(OffLines& lines, size_t behind, MeshBuilder& mesh, Tally& unread) {
+  const size_t there = lines.words_left(), count = there - std::min(there, behind);
+  if (count == 0) return kNoColor;
+  if (count < 3) {
+    unread.add(lines.place());
+    return kNoColor;
+  }
+  dvec3 numbers;
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<double> number = parse_number(lines.word());
+    numbers[i] = number.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+  if (count > 3) mesh.add_alpha(parse_number(lines.word()).value_or(1), 1, lines.place());
+  const vec3 color = color_of_numbers(numbers);
+  if (color == kNoColor) unread.add(lines.place());
+  return color;
+}
+
 }  // namespace
 
 MeshData read_off(const std::filesystem::path& path, Warnings& warnings) {
@@ -85,7 +120,7 @@ MeshData read_off(const std::filesystem::path& path, Warnings& warnings) {
   const size_t vertices = lines.count(most), faces = lines.count(most);
   if (!lines.done()) lines.number();  // the number of edges, which is rarely right
 
-  Tally colors;
+  Tally unread;
   for (size_t i = 0; i < vertices; ++i) {
     lines.next("the last vertex");
     const double x = lines.number(), y = lines.number(), z = lines.number();
@@ -94,7 +129,7 @@ MeshData read_off(const std::filesystem::path& path, Warnings& warnings) {
       const double nx = lines.number(), ny = lines.number(), nz = lines.number();
       mesh.add_normal({nx, ny, nz});
     }
-    if (kind.colors || !(kind.texture || lines.done())) colors.add(lines.place());
+    add_color(mesh.data.colors, i, read_color(lines, kind.texture ? 2 : 0, mesh, unread));
   }
   std::vector<uint32_t> corners;
   for (size_t i = 0; i < faces; ++i) {
@@ -102,10 +137,15 @@ MeshData read_off(const std::filesystem::path& path, Warnings& warnings) {
     const size_t count = lines.count(kMostCorners);
     corners.clear();
     while (corners.size() < count) corners.push_back(mesh.corner(lines.number(), vertices, lines.place()));
-    mesh.add_face(corners, lines.place());
-    if (!lines.done()) colors.add(lines.place());
+    MeshBuilder::FaceExtras extras;
+    const vec3 color = read_color(lines, 0, mesh, unread);
+    if (color != kNoColor) extras.color = mesh.add_face_color(color);
+    mesh.add_face(corners, lines.place(), extras);
   }
-  report(colors, "vertices and faces have colours, which are ignored", path, warnings);
+  report(unread, "vertices and faces have colours that are not three or four numbers, and were left out", path,
+         warnings);
+  if (kind.texture)
+    warnings.push_back(path.filename().string() + ": texture coordinates were left out: OFF names no texture");
   return mesh.finish(warnings);
 }
 

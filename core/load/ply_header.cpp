@@ -77,6 +77,13 @@ PlyProperty parse_property(const HeaderText& header, std::string_view rest) {
   return property;
 }
 
+void read_comment(std::string_view comment, size_t line, PlyHeader& header) {
+  std::string keyword(take_word(comment));
+  for (char& c : keyword) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  comment = trimmed(comment);
+  if (keyword == "texturefile" && !comment.empty()) header.textures.push_back({std::string(comment), line});
+}
+
 /// The fewest bytes that an element can take: as text a digit and a blank per number.
 uint64_t least_bytes(const PlyElement& element, PlyFormat format) {
   uint64_t bytes = 0;
@@ -136,6 +143,7 @@ PlyHeader read_ply_header(const std::filesystem::path& path) {
     std::string_view rest = text.next();
     const std::string_view keyword = take_word(rest);
     if (keyword == "end_header") break;
+    if (keyword == "comment" || keyword == "obj_info") read_comment(rest, text.line, header);
     if (keyword.empty() || keyword == "comment" || keyword == "obj_info") continue;
     if (keyword == "format") {
       const std::string_view name = take_word(rest);

@@ -26,12 +26,19 @@ struct PlyElement {
   int find(std::string_view property) const;
 };
 
+/// A texture that a comment "TextureFile NAME" names.
+struct PlyTexture {
+  std::string name;
+  size_t line = 0;
+};
+
 enum class PlyFormat { ascii, little_endian, big_endian };
 
 struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;  ///< in the file's order
-  size_t bytes = 0, lines = 0;       ///< size of the header, including the end_header line
+  std::vector<PlyTexture> textures;
+  size_t bytes = 0, lines = 0;  ///< size of the header, including the end_header line
 };
 
 /// Reads the header and checks its counts against the file's size, so that memory reserved for them is bounded by the

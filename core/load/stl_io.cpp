@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/warnings.h"
 #include "core/load/mesh_builder.h"
+#include "core/load/stl_colors.h"
 #include "core/load/text_lines.h"
 
 namespace hybridrt {
@@ -35,8 +36,12 @@ void close_facet(MeshBuilder& mesh, size_t first, size_t place) {
 MeshData read_binary(const std::filesystem::path& path, std::ifstream& file, uint64_t facets, Warnings& warnings) {
   MeshBuilder mesh(path, "facet");
   mesh.data.positions.reserve(3 * facets);
+  std::array<char, kHeaderBytes> header;
   std::array<char, kFacetBytes> facet;
-  file.seekg(static_cast<std::streamoff>(kHeaderBytes));
+  std::vector<uint16_t> attributes;
+  attributes.reserve(facets);
+  file.seekg(0);
+  file.read(header.data(), header.size());
   for (uint64_t i = 0; i < facets; ++i) {
     if (!file.read(facet.data(), facet.size()))
       throw error(ErrorKind::input, "{}: cut short: it ends within facet {} of {}", path.string(), i + 1, facets);
@@ -46,7 +51,9 @@ MeshData read_binary(const std::filesystem::path& path, std::ifstream& file, uin
     }
     const auto last = static_cast<uint32_t>(mesh.data.positions.size() - 1);
     mesh.add_face(std::array{last - 2, last - 1, last}, i);
+    attributes.push_back(little_endian<uint16_t>(facet.data() + kFacetBytes - 2));
   }
+  take_stl_colors({header.data(), kHeaderBytes - 4}, attributes, mesh.data, warnings);
   return mesh.finish(warnings);
 }
 

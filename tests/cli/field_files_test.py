@@ -91,6 +91,37 @@ class TextureTest(FieldCase):
             self.textured("parent_folder_texture/" + name)
 
 
+class ColourTest(FieldCase):
+    def note(self, name, *says):
+        """What `inspect` and `render` say without a warning, and the picture."""
+        path = os.path.join(FIELD, name)
+        self.assertEqual(len(self.report(path)["notes"]), len(says))
+        spoken = self.succeed("render", path, "--size", "8x8", "--method", "raytrace", "-o", "p.png").stderr
+        for note, part in zip(self.report(path)["notes"], says):
+            self.assertIn(part, note)
+            self.assertIn(note, spoken)
+        return self.told(name)
+
+    def test_colours_silent(self):
+        folder = "colours_silent/"
+        pictures = [self.note(folder + "vertex.obj", "colours of its vertices (sRGB, 0 to 1) are the diffuse colour of 12"),
+                    self.note(folder + "face.ply", "colours of its faces (sRGB, 0 to 255) are the diffuse colour of 12"),
+                    self.note(folder + "s_viscam.stl", "colours of its faces (sRGB, 0 to 31)")]
+        for rows in pictures:
+            colours = {tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}
+            self.assertTrue(any(max(c) - min(c) > 60 for c in colours), "not all grey")
+
+    def test_ply_texture_silent(self):
+        for name in ("wedge_ascii.ply", "vert_st.ply"):
+            rows = self.told("ply_texture_silent/" + name)
+            self.assertRegex(self.report(os.path.join(FIELD, "ply_texture_silent", name))["files"][-1], "tex4.png$")
+            self.assertGreater(len({tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}), 8, "a texture")
+
+    def test_no_usemtl(self):
+        rows = self.told("no_usemtl/m_nouse.obj", "m_nouse.obj: no usemtl, so the one material of its MTL, 'm', is used")
+        self.assertGreater(len({tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}), 8, "a texture")
+
+
 class HighlightTest(FieldCase):
     def test_specular_ns0(self):
         ns0 = self.told("specular_ns0/m_ns0.obj")

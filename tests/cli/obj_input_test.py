@@ -163,7 +163,8 @@ class FineTest(SceneCase):
                 self.expect_same(text)
 
     def test_what_is_not_drawn(self):
-        self.expect_same("".join(f"v {v} 1 0.5 0\n" for v in CORNERS) + obj(corners=()))
+        self.expect_same("".join(f"v {v} 1 1 1\n" for v in CORNERS) + obj(corners=()))
+        self.expect_same("".join(f"v {v} 0.5\n" for v in CORNERS) + obj(corners=()))
         self.expect_same("g a\no b\ns 1\nvp 1\n" + HOUSE + "p 1 2\nl 1 2 3\nvt 0 0\nl 1/1 2/1\ng\n")
 
     def test_indices_from_the_end_and_ahead(self):
@@ -208,6 +209,38 @@ class FineTest(SceneCase):
         self.succeed("render", "house.obj", *passes, "-o", "near.png")
         self.succeed("render", "far.obj", *passes, "-o", "far.png")
         self.succeed("compare", "far.png", "near.png")
+
+
+class ColourTest(SceneCase):
+    FRONT = ("--eye", "0.3,0.3,3", "--target", "0.3,0.3,0", "--light", "0,0,1")
+
+    def setUp(self):
+        super().setUp()
+        self.write("painted.obj", "v 0 0 0 1 .5 0\nv 1 0 0 1 .5 0\nv 0 1 0 0 0.25 1\nf 1 2 3\n")
+
+    def test_is_told_but_is_no_warning(self):
+        done = self.succeed("render", "painted.obj", "--size", "8x8", "--method", "raytrace", "-o", "p.png")
+        says = "painted.obj: the colours of its vertices (sRGB, 0 to 1) are the diffuse colour of 1 triangles"
+        self.assertIn("hybridrt: " + says, done.stderr)
+        self.assertEqual(self.report("painted.obj")["notes"], [says])
+        self.assertIn(says, self.succeed("inspect", "painted.obj").stdout)
+        events = self.succeed("render", "painted.obj", "--size", "8x8", "--method", "raytrace", "--json").stdout
+        self.assertIn('{"event":"note","message":"' + says, events)
+
+    def test_linear(self):
+        srgb = self.fine("painted.obj", *self.FRONT)
+        self.write("half.obj", "v 0 0 0 1 .735357 0\nv 1 0 0 1 .735357 0\nv 0 1 0 0 0.537099 1\nf 1 2 3\n")
+        linear = self.fine("painted.obj", *self.FRONT, "--mesh-colors", "linear")
+        self.assertNotEqual(srgb, linear)
+        self.assertEqual(linear, self.fine("half.obj", *self.FRONT))
+        self.write("s.json", '{"meshes": ["painted.obj"], "settings": {"mesh-colors": "linear"}}')
+        self.assertEqual(linear, self.fine("s.json", *self.FRONT))
+
+    def test_every_method_agrees(self):
+        for method in (["hybrid"], ["hybrid", "--shadows", "rays"], ["raster"], ["raytrace"], ["reference"]):
+            self.succeed("render", "painted.obj", *self.FRONT, "--size", "96x72", "-q", "--shadow-map", "64", "--method",
+                         *method, "-o", "_".join(method) + ".png")
+            self.succeed("compare", "_".join(method) + ".png", "hybrid.png")
 
 
 if __name__ == "__main__":

@@ -186,7 +186,9 @@ TEST(Off, ReadsKindsCommentsAndColours) {
   const Loaded colored = load("a.off",
                               "CNOFF\n3 1 0\n0 0 0 0 0 -3 1 1 1 1\n1 0 0 0 0 -1 1 1 1 1\n0 1 0 0 0 -1 1 1 1 1\n"
                               "3 0 1 2 255 0 0 # red\n");
-  EXPECT_TRUE(warned(colored.warnings, "4 vertices and faces have colours, which are ignored"));
+  EXPECT_TRUE(colored.warnings.empty());
+  EXPECT_EQ(colored.scene.colors.at(colored.scene.triangle_colors.at(0).y), vec3(1, 0, 0))
+      << "the face's, as all vertices are white";
   EXPECT_EQ(colored.scene.normals[colored.scene.triangle_normals[0].x], vec3(0, 0, -1));
 }
 
