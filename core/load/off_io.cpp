@@ -1,75 +1,60 @@
 #include "core/load/off_io.h"
 
-#include <optional>
+#include <limits>
 
-#include "core/base/error.h"
 #include "core/base/warnings.h"
 #include "core/load/mesh_builder.h"
-#include "core/load/text_lines.h"
+#include "core/load/off_columns.h"
+#include "core/load/off_header.h"
 
 namespace hybridrt {
 namespace {
 
-constexpr double kMostCorners = 1 << 20;  // per polygon
+constexpr double kMostCorners = 1 << 20;   // per polygon
+constexpr size_t kMostExtras = 3 + 4 + 2;  // normal, colour with alpha, texture coordinate
 
-/// The statements of an OFF file: its lines without comments and blank lines.
-class OffLines {
- public:
-  OffLines(const std::filesystem::path& path, const MeshBuilder& mesh) : lines_(path, LineJoin::none), mesh_(mesh) {}
+dvec3 read_position(OffLines& lines, const OffHeader& header) {
+  const double x = lines.coordinate(), y = lines.coordinate(), z = lines.coordinate();
+  return header.homogeneous ? dvec3(x, y, z) / lines.coordinate() : dvec3(x, y, z);
+}
 
-  void next(const char* expected) {
-    for (std::string_view line; lines_.next(line);) {
-      rest_ = line.substr(0, line.find('#'));
-      if (!done()) return;
-    }
-    throw error(ErrorKind::input, "{}: cut short: it ends before {}", lines_.path().string(), expected);
+/// Reads what follows the position of a vertex; what is no number, or not there, is NaN.
+void read_extras(OffLines& lines, const OffHeader& header, OffExtras& extras, Tally& colors) {
+  const size_t normal_count = header.normals ? 3 : 0, texture_count = header.texture ? 2 : 0;
+  if (header.colors || (!header.one_line && lines.words_left() > normal_count + texture_count))
+    colors.add(lines.place());
+  for (size_t i = 0; i < extras.per_vertex; ++i) {
+    const bool is_needed = header.one_line || (header.normals && i < normal_count);
+    extras.numbers.push_back(is_needed ? lines.coordinate()
+                                       : parse_number(lines.word()).value_or(std::numeric_limits<double>::quiet_NaN()));
   }
+}
 
-  bool done() const { return trimmed(rest_).empty(); }
-  std::string_view word() { return take_word(rest_); }
-  bool next_word_is(std::string_view expected) const {
-    std::string_view peek = rest_;
-    return take_word(peek) == expected;
+OffExtras read_vertices(OffLines& lines, const OffHeader& header, MeshBuilder& mesh, Tally& colors) {
+  OffExtras extras;
+  for (size_t i = 0; i < header.vertices; ++i) {
+    if (!header.one_line && !(i == 0 && header.at_vertex)) lines.next("the last vertex");
+    const dvec3 position = read_position(lines, header);
+    mesh.add_vertex(position, lines.place());
+    if (i == 0 && header.one_line)
+      extras.per_vertex = (header.normals ? 3 : 0) + (header.colors ? 4 : 0) + (header.texture ? 2 : 0);
+    else if (i == 0)
+      extras.per_vertex = std::max<size_t>(std::min(lines.words_left(), kMostExtras), header.normals ? 3 : 0);
+    read_extras(lines, header, extras, colors);
   }
-  size_t place() const { return lines_.line_number(); }
+  return extras;
+}
 
-  double number() {
-    const std::string_view text = word();
-    const std::optional<double> number = parse_number(text);
-    if (!number)
-      mesh_.fail(place(), text.empty() ? "a number is missing" : in_quotes(text) + " is not a usable number");
-    return *number;
+void read_faces(OffLines& lines, const OffHeader& header, MeshBuilder& mesh, Tally& colors) {
+  std::vector<uint32_t> corners;
+  for (size_t i = 0; i < header.faces; ++i) {
+    if (!header.one_line) lines.next("the last face");
+    const size_t count = lines.count(kMostCorners);
+    corners.clear();
+    while (corners.size() < count) corners.push_back(mesh.corner(lines.number(), header.vertices, lines.place()));
+    mesh.add_face(corners, lines.place());
+    if (!header.one_line && !lines.done()) colors.add(lines.place());
   }
-
-  size_t count(double most) {
-    const double value = number();
-    if (!(value >= 0 && value <= most && value == std::floor(value)))
-      mesh_.fail(place(), fmt::format("{:g} is not a count; it must be 0 to {:g}", value, most));
-    return static_cast<size_t>(value);
-  }
-
- private:
-  TextLines lines_;
-  const MeshBuilder& mesh_;
-  std::string_view rest_;
-};
-
-/// What follows each position, by the keyword: [ST][C][N][4][n]OFF.
-struct OffKind {
-  bool normals = false, colors = false, texture = false;
-};
-
-OffKind parse_keyword(const MeshBuilder& mesh, std::string_view keyword, size_t place) {
-  OffKind kind;
-  const std::string_view whole = keyword;
-  if (keyword.starts_with("ST")) kind.texture = true, keyword.remove_prefix(2);
-  if (keyword.starts_with("C")) kind.colors = true, keyword.remove_prefix(1);
-  if (keyword.starts_with("N")) kind.normals = true, keyword.remove_prefix(1);
-  if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
-    mesh.fail(place, fmt::format("{} does not have three dimensions", in_quotes(whole)));
-  if (keyword != "OFF")
-    mesh.fail(place, fmt::format("{} is not the keyword OFF: it is not an OFF file", in_quotes(whole)));
-  return kind;
 }
 
 }  // namespace
@@ -77,34 +62,14 @@ OffKind parse_keyword(const MeshBuilder& mesh, std::string_view keyword, size_t 
 MeshData read_off(const std::filesystem::path& path, Warnings& warnings) {
   MeshBuilder mesh(path, "line");
   OffLines lines(path, mesh);
-  lines.next("the keyword OFF");
-  const OffKind kind = parse_keyword(mesh, lines.word(), lines.place());
-  if (lines.next_word_is("BINARY")) mesh.fail(lines.place(), "binary OFF is not read; write it as text");
-  if (lines.done()) lines.next("the counts");
-  const auto most = static_cast<double>(std::filesystem::file_size(path));  // one line each
-  const size_t vertices = lines.count(most), faces = lines.count(most);
-  if (!lines.done()) lines.number();  // the number of edges, which is rarely right
-
+  const OffHeader header = read_off_header(lines, mesh, static_cast<double>(std::filesystem::file_size(path)));
   Tally colors;
-  for (size_t i = 0; i < vertices; ++i) {
-    lines.next("the last vertex");
-    const double x = lines.number(), y = lines.number(), z = lines.number();
-    mesh.add_vertex({x, y, z}, lines.place());
-    if (kind.normals) {
-      const double nx = lines.number(), ny = lines.number(), nz = lines.number();
-      mesh.add_normal({nx, ny, nz});
-    }
-    if (kind.colors || !(kind.texture || lines.done())) colors.add(lines.place());
-  }
-  std::vector<uint32_t> corners;
-  for (size_t i = 0; i < faces; ++i) {
-    lines.next("the last face");
-    const size_t count = lines.count(kMostCorners);
-    corners.clear();
-    while (corners.size() < count) corners.push_back(mesh.corner(lines.number(), vertices, lines.place()));
-    mesh.add_face(corners, lines.place());
-    if (!lines.done()) colors.add(lines.place());
-  }
+  const OffExtras extras = read_vertices(lines, header, mesh, colors);
+  const OffColumns columns = find_columns(header, extras);
+  if (columns.has_normals)
+    for (size_t at = columns.normal; at < extras.numbers.size(); at += extras.per_vertex)
+      mesh.add_normal({extras.numbers[at], extras.numbers[at + 1], extras.numbers[at + 2]});
+  read_faces(lines, header, mesh, colors);
   report(colors, "vertices and faces have colours, which are ignored", path, warnings);
   return mesh.finish(warnings);
 }

@@ -1,6 +1,7 @@
 #include "core/load/ply_io.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/error.h"
 #include "core/load/mesh_builder.h"
@@ -9,16 +10,18 @@
 namespace hybridrt {
 namespace {
 
-constexpr double kMostListed = 1 << 20;  // corners of one polygon, numbers of any other list
+constexpr double kMostListed = 1 << 20;       // corners of one polygon, numbers of any other list
+constexpr double kMostInStrips = 1ull << 32;  // Lucy is one list of thirty million
 
 bool is_color(std::string_view property) { return property == "red" || property == "r" || property == "diffuse_red"; }
 
 /// Reads the length of the next list.
 template <typename Values>
-size_t list_length(Values& values, const PlyProperty& property, const MeshBuilder& mesh, uint64_t index) {
+size_t list_length(Values& values, const PlyProperty& property, const MeshBuilder& mesh, uint64_t index,
+                   double most = kMostListed) {
   const double count = values.next(property.count_type);
-  if (!(count >= 0 && count <= kMostListed && count == std::floor(count)))
-    mesh.fail(values.place(index), fmt::format("a list of {:g} numbers; there must be 0 to {}", count, kMostListed));
+  if (!(count >= 0 && count <= most && count == std::floor(count)))
+    mesh.fail(values.place(index), fmt::format("a list of {:g} numbers; there must be 0 to {}", count, most));
   values.require(static_cast<uint64_t>(count), property.type);
   return static_cast<size_t>(count);
 }
@@ -59,29 +62,100 @@ void read_vertices(Values& values, const PlyElement& element, MeshBuilder& mesh,
   }
 }
 
+/// Faces that come before their vertices: polygons cannot be cut yet.
+struct WaitingFaces {
+  std::vector<uint32_t> corners;
+  std::vector<uint32_t> sizes;
+  std::vector<size_t> places;
+};
+
+void add_waiting(const WaitingFaces& waiting, MeshBuilder& mesh) {
+  const uint32_t* first = waiting.corners.data();
+  for (size_t i = 0; i < waiting.sizes.size(); first += waiting.sizes[i++])
+    mesh.add_face({first, waiting.sizes[i]}, waiting.places[i]);
+}
+
+/// The list of corners of an element. Throws Error (input) if there is none.
+size_t corner_list(const PlyElement& element, const MeshBuilder& mesh) {
+  const int list = element.find_corners();
+  if (list < 0)
+    throw error(ErrorKind::input, "{}: its {}s have no list 'vertex_indices'; export the mesh again",
+                mesh.data.path.string(), element.name == "face" ? "face" : "strip");
+  return static_cast<size_t>(list);
+}
+
 template <typename Values>
-void read_faces(Values& values, const PlyElement& element, uint64_t vertices, MeshBuilder& mesh) {
-  int list = element.find("vertex_indices");
-  if (list < 0) list = element.find("vertex_index");
-  if (list < 0 || !element.properties[static_cast<size_t>(list)].is_list)
-    throw error(ErrorKind::input, "{}: its faces have no list 'vertex_indices'", mesh.data.path.string());
-  if (mesh.data.positions.size() != vertices)
-    throw error(ErrorKind::input, "{}: its faces come before its vertices; write the vertices first",
-                mesh.data.path.string());
+void read_faces(Values& values, const PlyElement& element, uint64_t vertices, MeshBuilder& mesh,
+                WaitingFaces& waiting) {
+  const size_t list = corner_list(element, mesh);
+  const bool must_wait = mesh.data.positions.size() != vertices;
   std::vector<uint32_t> corners;
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin(element, i);
     for (size_t p = 0; p < element.properties.size(); ++p) {
       const PlyProperty& property = element.properties[p];
-      if (static_cast<int>(p) != list) {
+      if (p != list) {
         skip(values, property, mesh, i);
         continue;
       }
       const size_t count = list_length(values, property, mesh, i), place = values.place(i);
       corners.clear();
       while (corners.size() < count) corners.push_back(mesh.corner(values.next(property.type), vertices, place));
-      mesh.add_face(corners, place);
+      if (must_wait) {
+        waiting.corners.insert(waiting.corners.end(), corners.begin(), corners.end());
+        waiting.sizes.push_back(static_cast<uint32_t>(count));
+        waiting.places.push_back(place);
+      } else {
+        mesh.add_face(corners, place);
+      }
     }
+  }
+}
+
+/// Whether a number of a strip list starts a new strip: -1, as an unsigned number too.
+bool restarts(double number, PlyType type, uint64_t vertices) {
+  if (number == -1) return true;
+  const double largest = type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 4294967295.0;
+  const bool is_unsigned = type == PlyType::uint8 || type == PlyType::uint16 || type == PlyType::uint32;
+  return is_unsigned && number == largest && largest >= static_cast<double>(vertices);
+}
+
+/// One list of strips: each corner after two others makes a triangle, which faces the same way as the one before.
+template <typename Values>
+void read_strips(Values& values, const PlyProperty& property, uint64_t vertices, uint64_t index, MeshBuilder& mesh) {
+  const size_t count = list_length(values, property, mesh, index, kMostInStrips);
+  std::array<uint32_t, 3> last{};
+  size_t length = 0;  // of this strip
+  const auto place = [&] { return values.place(mesh.data.faces); };
+  const auto end_strip = [&] {
+    if (length == 1 || length == 2) mesh.add_face(std::span(last).first(length), place());
+    length = 0;
+  };
+  for (size_t i = 0; i < count; ++i) {
+    const double number = values.next(property.type);
+    if (restarts(number, property.type, vertices)) {
+      end_strip();
+      continue;
+    }
+    last = {last[1], last[2], mesh.corner(number, vertices, place())};
+    if (++length < 3) continue;
+    const auto [a, b, c] = last;
+    if (a == b || b == c || c == a) continue;  // no triangle: strips turn corners this way
+    mesh.add_face(length % 2 == 1 ? std::array{a, b, c} : std::array{b, a, c}, place());
+  }
+  end_strip();
+}
+
+template <typename Values>
+void read_tristrips(Values& values, const PlyElement& element, uint64_t vertices, MeshBuilder& mesh) {
+  const size_t list = corner_list(element, mesh);
+  for (uint64_t i = 0; i < element.count; ++i) {
+    values.begin(element, i);
+    for (size_t p = 0; p < element.properties.size(); ++p)
+      if (p == list)
+        read_strips(values, element.properties[p], vertices, i, mesh);
+      else
+        skip(values, element.properties[p], mesh, i);
   }
 }
 
@@ -90,13 +164,14 @@ void read_elements(Values& values, const PlyHeader& header, MeshBuilder& mesh, W
   uint64_t vertices = 0;
   for (const PlyElement& element : header.elements)
     if (element.name == "vertex") vertices += element.count;
+  WaitingFaces waiting;
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
       read_vertices(values, element, mesh, warnings);
     } else if (element.name == "face") {
-      read_faces(values, element, vertices, mesh);
+      read_faces(values, element, vertices, mesh, waiting);
     } else if (element.name == "tristrips") {
-      throw error(ErrorKind::input, "{}: triangle strips are not read; convert them to faces", mesh.data.path.string());
+      read_tristrips(values, element, vertices, mesh);
     } else {
       for (uint64_t i = 0; i < element.count; ++i) {
         values.begin(element, i);
@@ -104,6 +179,7 @@ void read_elements(Values& values, const PlyHeader& header, MeshBuilder& mesh, W
       }
     }
   }
+  add_waiting(waiting, mesh);
 }
 
 }  // namespace
