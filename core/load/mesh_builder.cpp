@@ -1,5 +1,7 @@
 #include "core/load/mesh_builder.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/load/mesh_colors.h"
 #include "core/mesh/polygon.h"
@@ -29,12 +31,7 @@ void MeshBuilder::fail(size_t place, const std::string& problem) const {
 }
 
 void MeshBuilder::add_vertex(const dvec3& position, size_t place) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(std::abs(position[axis]) < kLargestCoordinate))
-      throw error(ErrorKind::input, "{}: vertex {}{}: its {} coordinate is not below 1e30", data.path.string(),
-                  data.positions.size(),
-                  data.place == std::string_view("line") ? fmt::format(" (line {})", place) : std::string(),
-                  "xyz"[axis]);
+  if (!is_usable(position)) bad_vertices_.push_back({data.positions.size(), place});
   data.positions.push_back(position);
 }
 
@@ -65,6 +62,11 @@ void MeshBuilder::add_face(std::span<const uint32_t> corners, size_t place, cons
     data.triangle_places.push_back(static_cast<uint32_t>(place));
   };
   if (corners.size() == 3) return append(0, 1, 2);
+  const auto is_bad = [&](uint32_t corner) { return !is_usable(data.positions[corner]); };
+  if (!bad_vertices_.empty() && std::any_of(corners.begin(), corners.end(), is_bad)) {  // finish() will throw
+    for (uint32_t i = 2; i < corners.size(); ++i) append(0, i - 1, i);
+    return;
+  }
   points_.clear(), cuts_.clear();
   for (uint32_t corner : corners) points_.push_back(data.positions[corner]);
   if (!triangulate_polygon(points_, cuts_)) tangled_.add(place);
@@ -72,6 +74,11 @@ void MeshBuilder::add_face(std::span<const uint32_t> corners, size_t place, cons
 }
 
 MeshData MeshBuilder::finish(Warnings& warnings) {
+  if (const BadVertex* bad = settle_bad_vertices(data, bad_vertices_, warnings))
+    throw error(ErrorKind::input, "{}: vertex {}{}: {}, and a face uses it; leave it out or export the mesh again",
+                data.path.string(), bad->vertex,
+                data.place == std::string_view("line") ? fmt::format(" (line {})", bad->place) : std::string(),
+                fault_of_position(data.positions[bad->vertex]));
   report(small_, "faces of fewer than three corners were left out", data.path, warnings, data.place);
   report(tangled_, "polygons cross themselves or have no area and were cut as they came", data.path, warnings,
          data.place);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/warnings.h"
+#include "core/load/bad_vertices.h"
 #include "core/load/mesh_data.h"
 #include "core/load/text_scan.h"
 
@@ -26,11 +27,12 @@ class MeshBuilder {
   std::vector<vec3> face_colors;  ///< as data.colors
   float face_color_full = 0;      ///< as data.color_full
 
-  /// Throws Error (input) naming `place` unless every coordinate is finite and below 1e30.
+  /// Coordinates that are not finite or not below 1e30 are faults only if a face uses the vertex: finish() knows.
   void add_vertex(const dvec3& position, size_t place);
   void add_normal(const dvec3& normal) { data.normals.push_back(usable_normal(normal)); }
 
-  /// Corners are indices of vertices that were added. Fewer than three are counted and left out.
+  /// Corners are indices of vertices; if they are more than three, of vertices that were added. Fewer than three are
+  /// counted and left out.
   void add_face(std::span<const uint32_t> corners, size_t place) { add_face(corners, place, {}); }
   void add_face(std::span<const uint32_t> corners, size_t place, const FaceExtras& extras);
 
@@ -50,12 +52,14 @@ class MeshBuilder {
   uint32_t corner(double index, size_t vertices, size_t place) const;
 
   /// Warns of what was left out and returns the mesh. If there are as many normals as vertices, they belong to them; so
-  /// do texture coordinates of which no face has any.
+  /// do texture coordinates of which no face has any. Throws Error (input) naming its place for a vertex that a face
+  /// uses and that is no position.
   MeshData finish(Warnings& warnings);
 
   [[noreturn]] void fail(size_t place, const std::string& problem) const;
 
  private:
+  std::vector<BadVertex> bad_vertices_;
   std::vector<dvec3> points_;
   std::vector<uvec3> cuts_;
   std::vector<uint32_t> triangle_face_colors_;

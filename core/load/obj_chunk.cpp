@@ -84,14 +84,13 @@ class ChunkReader {
       const std::string_view word = take_word(rest);
       if (word.empty())
         fail("vertex {} ends before its {} coordinate; is the file cut short?", vertices() + 1, "xyz"[axis]);
-      const std::optional<double> number = parse_number(word);
+      const std::optional<double> number = parse_coordinate(word);
       if (!number)
         fail("vertex {}: its {} coordinate {} is not a usable number; {}", vertices() + 1, "xyz"[axis], in_quotes(word),
              kFix);
-      if (!(std::abs(*number) < kLargestCoordinate))
-        fail("vertex {}: its {} coordinate is not below 1e30; scale the mesh", vertices() + 1, "xyz"[axis]);
       p[axis] = *number;
     }
+    if (!is_usable(p)) chunk_.bad_vertices.push_back({vertices(), line()});
     chunk_.data.positions.push_back(p);
     if (!trimmed(rest).empty() || !chunk_.data.colors.empty()) read_color(rest);
   }

@@ -66,7 +66,7 @@ class FaceExtrasReader {
 
   void report_unknown(Warnings& warnings) const {
     hybridrt::report(unknown_textures_, "faces have a texnumber that no TextureFile comment has, and no texture",
-           mesh_.data.path, warnings, mesh_.data.place);
+                     mesh_.data.path, warnings, mesh_.data.place);
   }
 
  private:

@@ -136,5 +136,33 @@ class HighlightTest(FieldCase):
         self.told("mtl_kd255/m_kd255.obj", "1 materials have a Kd or Ks far above 1: colours of 0 to 255? ('m')")
 
 
+class FormsTest(FieldCase):
+    """Files of all sorts that describe one thing."""
+
+    def test_off_headers(self):
+        plain = self.told("off_headers/plain.off")
+        for name in ("modelnet", "nokey", "lower", "oneline", "splitcounts"):
+            self.assertEqual(self.told(f"off_headers/{name}.off"), plain, name)
+        self.told("off_headers/ncoff.off")
+        notes = self.report(os.path.join(FIELD, "off_headers", "ncoff.off"))["notes"]
+        self.assertIn("the colours of its vertices (sRGB, 0 to 255) are the diffuse colour of 12 triangles", notes[0])
+
+    def test_ply_tristrips(self):
+        self.assertGreater(len({bytes(row) for row in self.told("ply_tristrips/tristrips_ascii.ply")}), 8, "a surface")
+
+    def test_stl_forms(self):
+        cube = self.told("stl_text_forms/comment.stl")
+        self.assertEqual(self.told("stl_text_forms/noend.stl", "have no 'endsolid'; is the file cut short?"), cube)
+        self.assertEqual(self.told("stl_count0/s_count0.stl", "its size is that of 12"), cube)
+
+    def test_nan_unreferenced(self):
+        with open(os.path.join(FIELD, "nan_unreferenced", "unref.obj"), encoding="utf-8") as file:
+            self.write("cube.obj", "".join(line for line in file if "nan" not in line))
+        cube = self.fine("cube.obj")
+        for name in ("unref.obj", "p_nanunref.ply"):
+            self.assertEqual(self.told("nan_unreferenced/" + name, "1 vertices are NaN"), cube, name)
+        self.told("nan_unreferenced/s_nan.stl", "4 facets with a corner that is NaN")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -37,13 +37,22 @@ class RefusedTest(SceneCase):
                 self.refuse(self.write_bytes("bad.obj", data), says)
 
     def test_vertices_that_are_no_numbers(self):
-        for corner, says in (("nan 0 0", "its x coordinate 'nan'"), ("0 -inf 0", "its y coordinate '-inf'"),
-                             ("0 0 1e39", "its z coordinate"), ("0 1e999999 0", "its y coordinate"),
-                             ("1,5 0 0", "its x coordinate '1,5'"), ("0x10 0 0", "'0x10'"),
+        for corner, says in (("1,5 0 0", "its x coordinate '1,5'"), ("0x10 0 0", "'0x10'"),
                              ("1 2", "before its z coordinate")):
             with self.subTest(corner):
                 self.write("bad.obj", obj([*CORNERS, corner]))
                 self.refuse("bad.obj", "bad.obj:9: vertex 9", says)
+
+    def test_vertices_that_are_no_positions(self):
+        house = self.fine(self.write_bytes("house.obj", HOUSE))
+        for corner, says in (("nan 0 0", "its x coordinate is NaN"), ("0 -inf 0", "its y coordinate is infinite"),
+                             ("0 0 1e39", "its z coordinate is not below 1e30"),
+                             ("0 1e999999 0", "its y coordinate is infinite")):
+            with self.subTest(corner):
+                self.write("used.obj", obj([*CORNERS, corner], [*FACES, "1 2 9"]))
+                self.refuse("used.obj", "used.obj:9: vertex 9", says)
+                self.write("unused.obj", obj([*CORNERS, corner]))
+                self.assertEqual(self.warn("unused.obj", "1 vertices are NaN, infinite or not below 1e30"), house)
 
     def test_position_indices_that_lead_nowhere(self):
         for index in ("0", "9", "-9", "4294967297", "-4294967297", "99999999999999999999"):

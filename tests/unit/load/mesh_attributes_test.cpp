@@ -58,7 +58,9 @@ class PlyWriter {
     return *this;
   }
   void end_line() { body_ += format_ == "ascii" ? "\n" : ""; }
-  string text(const string& header) const { return "ply\nformat " + format_ + " 1.0\n" + header + "end_header\n" + body_; }
+  string text(const string& header) const {
+    return "ply\nformat " + format_ + " 1.0\n" + header + "end_header\n" + body_;
+  }
 
  private:
   template <typename T>
@@ -99,13 +101,14 @@ TEST_F(MeshAttributes, PlyColoursAndCornersTexturesInEveryFormat) {
     for (PlyWriter* ply : {&painted, &textured}) ply->add("uchar", 3).add("int", 0).add("int", 1).add("int", 2);
     textured.add("uchar", 6).floats({0, 0, .5, 1, .25, 0}).add("int", 0);
     const Scene colors =
-        load("a.ply", painted.text("element vertex 3\n" + kXyz +
-                                   "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n" + kList));
+        load("a.ply",
+             painted.text("element vertex 3\n" + kXyz +
+                          "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n" + kList));
     for (int corner = 0; corner < 3; ++corner)
       EXPECT_EQ(color(colors, 0, corner), vec3(linear(100 * corner / 255.0), 1, 0));
-    const Scene scene = load("b.ply", textured.text("comment TextureFile noise.png\nelement vertex 3\n" + kXyz +
-                                                    "element face 1\n" + kList +
-                                                    "property list uchar float texcoord\nproperty int texnumber\n"));
+    const Scene scene =
+        load("b.ply", textured.text("comment TextureFile noise.png\nelement vertex 3\n" + kXyz + "element face 1\n" +
+                                    kList + "property list uchar float texcoord\nproperty int texnumber\n"));
     EXPECT_TRUE(warnings.empty());
     ASSERT_TRUE(scene.textures);
     EXPECT_EQ(texcoord(scene, 0, 1), vec2(.5f, 1));
@@ -136,7 +139,8 @@ TEST_F(MeshAttributes, PlyColoursByTheirTypes) {
 
 TEST_F(MeshAttributes, PlyFacesKeepTheirColoursWhenTheyAreCut) {
   const string rgb = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-  const Scene scene = load("a.ply", text_ply("", "", {}, rgb, {"4 0 1 2 3 255 0 0", "2 0 1 0 0 255", "3 0 2 1 0 255 0"}));
+  const Scene scene =
+      load("a.ply", text_ply("", "", {}, rgb, {"4 0 1 2 3 255 0 0", "2 0 1 0 0 255", "3 0 2 1 0 255 0"}));
   ASSERT_EQ(scene.triangle_count(), 3u);
   for (int corner = 0; corner < 3; ++corner) {
     EXPECT_EQ(color(scene, 0, corner), vec3(1, 0, 0));
@@ -155,15 +159,16 @@ TEST_F(MeshAttributes, PlyTexturesOfVerticesAndOfSeveralFiles) {
   const std::vector<string> places{"0 0", "1 0", "1 1", "0 nan"};
   for (const char* names : {"s t", "u v", "texture_u texture_v"}) {
     const string u(names, std::strchr(names, ' ')), v(std::strchr(names, ' ') + 1);
-    const Scene scene = load("a.ply", text_ply("comment TextureFile noise.png\n",
-                                               "property float " + u + "\nproperty float " + v + "\n", places, "",
-                                               {"4 0 1 2 3"}));
+    const Scene scene =
+        load("a.ply", text_ply("comment TextureFile noise.png\n",
+                               "property float " + u + "\nproperty float " + v + "\n", places, "", {"4 0 1 2 3"}));
     ASSERT_TRUE(scene.textures) << names;
     EXPECT_EQ(scene.material_of(0).kd, vec3(1));
-    EXPECT_EQ(warnings, Warnings{"a.ply: 1 texture coordinates are not usable numbers and were set to 0 (first at line 16)"});
+    EXPECT_EQ(warnings,
+              Warnings{"a.ply: 1 texture coordinates are not usable numbers and were set to 0 (first at line 16)"});
   }
-  const Scene several = load("a.ply", text_ply("comment TextureFile noise.png\ncomment TextureFile my leaf.png\n", "", {},
-                                               "property list uchar float texcoord\nproperty int texnumber\n",
+  const Scene several = load("a.ply", text_ply("comment TextureFile noise.png\ncomment TextureFile my leaf.png\n", "",
+                                               {}, "property list uchar float texcoord\nproperty int texnumber\n",
                                                {"4 0 1 2 3 8 0 0 1 0 1 1 0 1 1", "3 0 1 2 6 0 0 1 0 1 1 0",
                                                 "3 0 1 3 6 0 0 1 0 1 1 -1", "3 0 1 3 0 0"}));
   EXPECT_EQ(several.material_of(0).name, "my leaf.png");
@@ -176,6 +181,31 @@ TEST_F(MeshAttributes, PlyTexturesOfVerticesAndOfSeveralFiles) {
   EXPECT_TRUE(warned(warnings, "1 texture names lead to no file as written"));
   EXPECT_TRUE(warned(warnings, "1 faces have a texnumber that no TextureFile comment has"));
   EXPECT_TRUE(warned(warnings, "1 triangles have a texture but not all of their texture coordinates"));
+}
+
+TEST_F(MeshAttributes, PlyFacesBeforeVerticesAndStripsHaveThemToo) {
+  folder.write("noise.png", "x");
+  const string head = "ply\nformat ascii 1.0\ncomment TextureFile noise.png\n",
+               st = "property float s\nproperty float t\n";
+  const string vertices = "element vertex 4\n" + kXyz;
+  const Scene scene =
+      load("a.ply", head + "element face 2\n" + kList + "property list uchar float texcoord\n" + vertices +
+                        "end_header\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n3 0 1 2 6 0 0 .5 0 .5 .5\n"
+                        "0 0 0\n2 0 0\n2 2 0\n0 2 0\n");
+  EXPECT_TRUE(warnings.empty());
+  for (uint32_t triangle = 0; triangle < 3; ++triangle)
+    for (int corner = 0; corner < 3; ++corner)
+      EXPECT_EQ(texcoord(scene, triangle, corner), vec2(scene.vertex(triangle, corner)) / (triangle < 2 ? 2.f : 4.f));
+  const Scene painted =
+      load("a.ply", "ply\nformat ascii 1.0\nelement face 2\n" + kList +
+                        "property uchar red\nproperty uchar green\nproperty uchar blue\n" + vertices +
+                        "end_header\n4 0 1 2 3 255 0 0\n3 0 1 2 0 255 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n");
+  EXPECT_EQ(color(painted, 1, 0), vec3(1, 0, 0));
+  EXPECT_EQ(color(painted, 2, 0), vec3(0, 1, 0));
+  const Scene strip = load("a.ply", head + vertices + st + "element tristrips 1\n" + kList +
+                                        "end_header\n0 0 0 0 0\n2 0 0 1 0\n2 2 0 1 1\n0 2 0 0 1\n3 0 1 2\n");
+  EXPECT_EQ(strip.material_of(0).name, "noise.png");
+  EXPECT_EQ(texcoord(strip, 0, 1), vec2(1, 0));
 }
 
 TEST_F(MeshAttributes, PlyWhatStaysUnreadIsTold) {
@@ -200,12 +230,11 @@ TEST_F(MeshAttributes, OffColoursOfVerticesAndFaces) {
   EXPECT_EQ(color(vertices, 0, 0), vec3(1, 0, 0));
   EXPECT_EQ(color(vertices, 0, 1), vec3(0, linear(.2), 0));
   EXPECT_TRUE(warnings.empty());
-  const Scene faces = load("a.off",
-                           "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 2 0.5 0 1\n3 0 2 1\n3 0 1 3 7\n");
+  const Scene faces = load("a.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 2 0.5 0 1\n3 0 2 1\n3 0 1 3 7\n");
   EXPECT_EQ(color(faces, 0, 2), vec3(linear(.5), 0, 1));
   EXPECT_EQ(color(faces, 1, 0), vec3(1));
   EXPECT_EQ(faces.material_of(1).name, "default") << "a face without a colour";
-  EXPECT_TRUE(warned(warnings, "1 vertices and faces have colours that are not three or four numbers"));
+  EXPECT_TRUE(warned(warnings, "1 faces have colours that are not three or four numbers"));
 }
 
 string binary_stl(string header, const std::vector<uint16_t>& attributes) {
@@ -231,6 +260,14 @@ TEST_F(MeshAttributes, StlColoursOfVisCam) {
   EXPECT_EQ(scene.triangle_colors[3], scene.triangle_colors[0]);
   EXPECT_FALSE(load("a.stl", binary_stl("", {31, 77})).has_colors()) << "bytes that say nothing of colours";
   EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(MeshAttributes, StlColoursStayWithTheirFacetsWhenOthersAreLeftOut) {
+  string text = binary_stl("VisCAM", {0x8000 | 31, 0x8000 | 31 << 10});
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(&text[84 + 12], &nan, 4);
+  EXPECT_EQ(color(load("a.stl", text), 0, 1), vec3(1, 0, 0));
+  EXPECT_TRUE(warned(warnings, "1 facets with a corner that is NaN"));
 }
 
 TEST_F(MeshAttributes, StlColoursOfMagics) {
