@@ -54,8 +54,7 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
   ChosenCamera camera = choose_camera(o, source, job, framing, up_axis, pool, warnings);
   job.motion.course = std::move(camera.course);
   job.caster = std::move(camera.caster);
-  job.settings.ambient =
-      choose_ambient(o, source, camera_at(job.motion, job.motion.sequence.first), up_axis, camera.surroundings);
+  job.settings.ambient = choose_ambient(o, source, job.motion, camera.surroundings);
   job.lights = choose_lights(o, source, job.motion, job.settings.ambient, up_axis, camera.surroundings, warnings);
   return job;
 }

@@ -31,13 +31,14 @@ std::vector<DirectionalLight> still_lights(const RenderOptions& o, const SceneSo
 
 }  // namespace
 
-AmbientLight choose_ambient(const RenderOptions& o, const SceneSource& source, const Camera& first, UpAxis up_axis,
+AmbientLight choose_ambient(const RenderOptions& o, const SceneSource& source, const CameraMotion& camera,
                             Surroundings surroundings) {
   if (source.ambient) return *source.ambient;
-  if (source.lights) return {};
-  const dvec3 toward =
-      o.light ? unit(y_up_from_files(up_axis, *o.light)) : default_light(surroundings, first, {}).toward;
-  return default_ambient(surroundings, toward);
+  const int first = camera.sequence.first;
+  const auto* path = std::get_if<CameraPath>(&camera.course);
+  const bool light_of_ones_own = o.light || source.lights || (path && light_on_path(*path, first));
+  if (light_of_ones_own || o.light_follows_camera) return {};
+  return default_ambient(surroundings, default_light(surroundings, camera_at(camera, first), {}).toward);
 }
 
 size_t light_count(const RenderOptions& o, const SceneSource& source) {

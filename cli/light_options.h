@@ -7,9 +7,10 @@
 
 namespace hybridrt::cli {
 
-/// The scene's ambient light; an even one if the scene gives lights only; else one that suits the light.
-AmbientLight choose_ambient(const RenderOptions& options, const SceneSource& source, const Camera& first,
-                            UpAxis up_axis, Surroundings surroundings);
+/// The scene's ambient light; an even one if lights are given, or follow the camera; else one that suits the default
+/// light. `camera` must be chosen already.
+AmbientLight choose_ambient(const RenderOptions& options, const SceneSource& source, const CameraMotion& camera,
+                            Surroundings surroundings);
 
 /// The light of the options, in the colour of the source's first one; else the source's lights; else one that suits the
 /// surroundings. The camera path's keys move the first. `camera` must be chosen already. Throws Error(usage).

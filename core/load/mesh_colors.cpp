@@ -59,7 +59,30 @@ uint32_t colored_material_in(Scene& scene, uint32_t known) {
   return static_cast<uint32_t>(scene.materials.size());
 }
 
+constexpr double kLargestColor = 1e9;  // beyond, a number that nobody means as a colour
+
 }  // namespace
+
+vec3 color_of_numbers(const dvec3& numbers) {
+  if (glm::any(glm::isnan(numbers))) return kNoColor;
+  return vec3(glm::clamp(numbers, 0.0, kLargestColor));
+}
+
+void add_face_colors(MeshData& mesh, std::vector<vec3>&& of_faces, const std::vector<uint32_t>& triangles, float full,
+                     Warnings& warnings) {
+  if (of_faces.empty() || triangles.empty()) return;
+  if (!mesh.colors.empty() && !has_plain_colors(mesh.colors, mesh.color_full)) {
+    if (!has_plain_colors(of_faces, full))
+      warnings.push_back(mesh.path.filename().string() +
+                         ": the colours of its faces were left out, since its vertices have colours");
+    return;
+  }
+  mesh.colors = std::move(of_faces);
+  mesh.color_full = full;
+  mesh.triangle_colors.clear();
+  mesh.triangle_colors.reserve(triangles.size());
+  for (const uint32_t color : triangles) mesh.triangle_colors.emplace_back(color);
+}
 
 bool has_plain_colors(const std::vector<vec3>& colors, float full) {
   full = full_brightness(colors, full);

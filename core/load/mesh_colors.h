@@ -11,9 +11,17 @@ namespace hybridrt {
 /// Marks vertices and faces without a colour of their own in MeshData::colors.
 inline constexpr vec3 kNoColor{-1};
 
+/// Three numbers as a colour: NaN is none, others are kept between 0 and a large number.
+vec3 color_of_numbers(const dvec3& numbers);
+
 /// Whether colours say something: neither all black nor all white, as programs write what nobody has painted.
 /// `full`: as MeshData::color_full.
 bool has_plain_colors(const std::vector<vec3>& colors, float full);
+
+/// Gives a mesh that may have colours of vertices those of its faces, unless the vertices' say something (then a
+/// warning tells of it). `triangles`: for each triangle an index into `of_faces`, or kNoIndex; empty: none anywhere.
+void add_face_colors(MeshData& mesh, std::vector<vec3>&& of_faces, const std::vector<uint32_t>& triangles, float full,
+                     Warnings& warnings);
 
 /// Appends a mesh's colours to those of the scene. The mesh's triangles are the scene's from `first_triangle` on, and
 /// its vertex 0 is the scene's `first_vertex`; their materials are 1 + an index, 0 for none.

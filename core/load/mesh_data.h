@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/math.h"
+#include "core/scene/material.h"
 
 namespace hybridrt {
 
@@ -31,6 +32,7 @@ struct MeshData {
   std::vector<uint32_t> triangle_places;                   ///< for messages
   std::vector<std::string> material_names{std::string()};  ///< the first: until a material is named
   std::vector<std::string> libraries;                      ///< OBJ only: the rest of each `mtllib` line
+  std::vector<Material> materials;                         ///< PLY only: those of its textures
   size_t faces = 0;                                        ///< faces of the file, unusable ones included
 };
 

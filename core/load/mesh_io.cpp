@@ -77,6 +77,7 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
       mesh.data = read_mesh(paths[i], own_pool, own_warnings[i], watch.progress);
       mesh.library =
           read_libraries(paths[i].parent_path(), mesh.data.libraries, mesh.library_files, own_warnings[i], kinds);
+      if (!mesh.data.materials.empty()) mesh.library = std::move(mesh.data.materials);
       turn(mesh.data, up);
     } catch (...) {
       failures[i] = std::current_exception();

@@ -19,8 +19,6 @@ constexpr std::array<std::string_view, 18> kIgnored = {
     "g",  "o",      "s",      "p",        "l",        "vp",         "lod",       "mg", "bevel",
     "vw", "usemap", "maplib", "c_interp", "d_interp", "shadow_obj", "trace_obj", "t",  "end"};
 
-constexpr double kLargestColor = 1e9;  // beyond, a number that nobody means as a colour
-
 // What a user can do about a faulty line.
 constexpr const char* kFix = "fix that line or export the mesh again";
 
@@ -86,36 +84,32 @@ class ChunkReader {
       const std::string_view word = take_word(rest);
       if (word.empty())
         fail("vertex {} ends before its {} coordinate; is the file cut short?", vertices() + 1, "xyz"[axis]);
-      const std::optional<double> number = parse_number(word);
+      const std::optional<double> number = parse_coordinate(word);
       if (!number)
         fail("vertex {}: its {} coordinate {} is not a usable number; {}", vertices() + 1, "xyz"[axis], in_quotes(word),
              kFix);
-      if (!(std::abs(*number) < kLargestCoordinate))
-        fail("vertex {}: its {} coordinate is not below 1e30; scale the mesh", vertices() + 1, "xyz"[axis]);
       p[axis] = *number;
     }
+    if (!is_usable(p)) chunk_.bad_vertices.push_back({vertices(), line()});
     chunk_.data.positions.push_back(p);
     if (!trimmed(rest).empty() || !chunk_.data.colors.empty()) read_color(rest);
   }
 
   /// The colour of the last vertex: three numbers. One alone is a weight, which is not used.
   void read_color(std::string_view rest) {
-    vec3 color;
+    dvec3 color;
     int numbers = 0;
     std::string_view word = take_word(rest);
     for (; numbers < 3; ++numbers, word = take_word(rest)) {
       const std::optional<double> number = parse_number(word);
       if (!number) break;
-      color[numbers] = static_cast<float>(std::clamp(*number, 0.0, kLargestColor));
+      color[numbers] = *number;
     }
-    if (numbers < 3) {
-      color = kNoColor;
-      if (numbers == 2 || !(word.empty() || word.front() == '#')) chunk_.bad_colors.add(line());
-    }
+    if (numbers == 2 || (numbers < 2 && !word.empty() && word.front() != '#')) chunk_.bad_colors.add(line());
     std::vector<vec3>& colors = chunk_.data.colors;
     if (numbers < 3 && colors.empty()) return;
     colors.resize(chunk_.data.positions.size() - 1, kNoColor);
-    colors.push_back(color);
+    colors.push_back(numbers < 3 ? kNoColor : color_of_numbers(color));
   }
 
   /// ZBrush's polypaint: eight hexadecimal digits a vertex, mask, red, green, blue.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/warnings.h"
+#include "core/load/bad_vertices.h"
 #include "core/load/mesh_data.h"
 #include "core/load/text_scan.h"
 
@@ -53,6 +54,7 @@ struct ObjChunk {
   };
   Ahead farthest;  ///< the largest position index; the first of several
   std::vector<Ahead> texcoords_ahead, normals_ahead;
+  std::vector<BadVertex> bad_vertices;
   std::vector<uint32_t> polypaint;  ///< the colours of #MRGB comments, 0xMMRRGGBB each, for the vertices in order
   Tally unread_texcoords, bad_texcoords, bad_normals, small_faces, unknown, bad_colors, bad_polypaint;
 
@@ -62,10 +64,10 @@ struct ObjChunk {
 /// Counts the statements of `text`, as far as its lines can be read.
 ObjCounts count_statements(const std::filesystem::path& path, std::string_view text);
 
-/// Reads chunk.text into the rest of it. Checks every number and index: `v` has three numbers below 1e30, and a colour
-/// if three more follow; an unreadable `vn` or `vt` becomes zero, and the caller rebuilds such normals; `f` has corners
-/// v, v/vt, v//vn or v/vt/vn, v not 0 and not before the first vertex; a vt or vn out of range is left out. Errors end
-/// in chunk.failure: Error (input) naming file and line.
+/// Reads chunk.text into the rest of it. Checks every number and index: `v` has three numbers, and those that are not
+/// finite or not below 1e30 are listed, and a colour if three more follow; an unreadable `vn` or `vt` becomes zero, and
+/// the caller rebuilds such normals; `f` has corners v, v/vt, v//vn or v/vt/vn, v not 0 and not before the first
+/// vertex; a vt or vn out of range is left out. Errors end in chunk.failure: Error (input) naming file and line.
 void read_chunk(const std::filesystem::path& path, ObjChunk& chunk);
 
 }  // namespace hybridrt

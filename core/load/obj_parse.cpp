@@ -35,7 +35,8 @@ void add(Tally& sum, const Tally& part) {
   if (part.count > 0) sum.add(part.first_line, part.count);
 }
 
-/// Cuts the polygons whose corners are all known, and removes them from the list.
+/// Cuts the polygons whose corners are all known, and removes them from the list. Those with an unusable corner stay as
+/// they are: they will be refused.
 void cut_polygons(ObjChunk& chunk, MeshData& data, Tally& tangled) {
   std::vector<dvec3> points;
   std::vector<uvec3> cuts;
@@ -44,6 +45,7 @@ void cut_polygons(ObjChunk& chunk, MeshData& data, Tally& tangled) {
     const auto corners = std::span(chunk.polygon_corners).subspan(polygon.first_corner, polygon.corners);
     points.clear(), cuts.clear();
     for (const ObjChunk::Corner& corner : corners) points.push_back(data.positions[corner.position]);
+    if (!std::all_of(points.begin(), points.end(), [](const dvec3& p) { return is_usable(p); })) return true;
     if (!triangulate_polygon(points, cuts)) tangled.add(polygon.line);
     for (size_t i = 0; i < cuts.size(); ++i)
       for (int k = 0; k < 3; ++k) {
@@ -88,6 +90,7 @@ class Joined {
   ObjChunk waiting_;                             ///< only its polygons, which name vertices that come later
   ObjChunk::Ahead farthest_;
   std::vector<ObjChunk::Ahead> texcoords_ahead_, normals_ahead_;
+  std::vector<BadVertex> bad_vertices_;
   std::vector<uint32_t> polypaint_;
   Tally unread_texcoords_, bad_texcoords_, bad_normals_, small_faces_, unknown_, tangled_, bad_colors_, bad_polypaint_;
 };
@@ -190,6 +193,7 @@ void Joined::take_facts(ObjChunk& chunk) {
   if (chunk.farthest.index > farthest_.index) farthest_ = chunk.farthest;
   texcoords_ahead_.insert(texcoords_ahead_.end(), chunk.texcoords_ahead.begin(), chunk.texcoords_ahead.end());
   normals_ahead_.insert(normals_ahead_.end(), chunk.normals_ahead.begin(), chunk.normals_ahead.end());
+  bad_vertices_.insert(bad_vertices_.end(), chunk.bad_vertices.begin(), chunk.bad_vertices.end());
   add(unread_texcoords_, chunk.unread_texcoords), add(bad_texcoords_, chunk.bad_texcoords),
       add(bad_normals_, chunk.bad_normals);
   add(small_faces_, chunk.small_faces), add(unknown_, chunk.unknown), add(bad_colors_, chunk.bad_colors);
@@ -243,6 +247,9 @@ MeshData Joined::finish(const ObjCounts& counts, Warnings& warnings) {
   for (const ObjChunk::Ahead& ahead : normals_ahead_)
     if (ahead.index > static_cast<int64_t>(counts.normals)) bad_normals_.add(ahead.line);
   cut_polygons(waiting_, data_, tangled_);
+  if (const BadVertex* bad = settle_bad_vertices(data_, bad_vertices_, warnings))
+    throw error(ErrorKind::input, "{}:{}: vertex {}: {}, and a face uses it; fix that line or export the mesh again",
+                path.string(), bad->place, bad->vertex + 1, fault_of_position(data_.positions[bad->vertex]));
 
   report(small_faces_, "faces of fewer than three corners were left out", path, warnings);
   report(unread_texcoords_, "texture coordinates are not usable numbers and were set to 0", path, warnings);

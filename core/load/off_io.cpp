@@ -1,75 +1,106 @@
 #include "core/load/off_io.h"
 
-#include <optional>
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
 
-#include "core/base/error.h"
 #include "core/base/warnings.h"
 #include "core/load/mesh_builder.h"
-#include "core/load/text_lines.h"
+#include "core/load/mesh_colors.h"
+#include "core/load/off_columns.h"
+#include "core/load/off_header.h"
 
 namespace hybridrt {
 namespace {
 
-constexpr double kMostCorners = 1 << 20;  // per polygon
+constexpr double kMostCorners = 1 << 20;   // per polygon
+constexpr size_t kMostExtras = 3 + 4 + 2;  // normal, colour with alpha, texture coordinate
 
-/// The statements of an OFF file: its lines without comments and blank lines.
-class OffLines {
- public:
-  OffLines(const std::filesystem::path& path, const MeshBuilder& mesh) : lines_(path, LineJoin::none), mesh_(mesh) {}
+dvec3 read_position(OffLines& lines, const OffHeader& header) {
+  const double x = lines.coordinate(), y = lines.coordinate(), z = lines.coordinate();
+  return header.homogeneous ? dvec3(x, y, z) / lines.coordinate() : dvec3(x, y, z);
+}
 
-  void next(const char* expected) {
-    for (std::string_view line; lines_.next(line);) {
-      rest_ = line.substr(0, line.find('#'));
-      if (!done()) return;
-    }
-    throw error(ErrorKind::input, "{}: cut short: it ends before {}", lines_.path().string(), expected);
+/// Reads what follows the position of a vertex; what is no number, or not there, is NaN.
+void read_extras(OffLines& lines, const OffHeader& header, OffExtras& extras) {
+  for (size_t i = 0; i < extras.per_vertex; ++i) {
+    const bool is_needed = header.one_line || (header.normals && i < 3);
+    extras.numbers.push_back(is_needed ? lines.coordinate()
+                                       : parse_number(lines.word()).value_or(std::numeric_limits<double>::quiet_NaN()));
   }
+}
 
-  bool done() const { return trimmed(rest_).empty(); }
-  std::string_view word() { return take_word(rest_); }
-  bool next_word_is(std::string_view expected) const {
-    std::string_view peek = rest_;
-    return take_word(peek) == expected;
+/// Gives each vertex so far room for more numbers.
+void widen(OffExtras& extras, size_t vertices, size_t per_vertex) {
+  std::vector<double> wider(vertices * per_vertex, std::numeric_limits<double>::quiet_NaN());
+  for (size_t i = 0; i < vertices; ++i)
+    std::copy_n(extras.numbers.begin() + static_cast<ptrdiff_t>(i * extras.per_vertex), extras.per_vertex,
+                wider.begin() + static_cast<ptrdiff_t>(i * per_vertex));
+  extras = {per_vertex, std::move(wider)};
+}
+
+OffExtras read_vertices(OffLines& lines, const OffHeader& header, MeshBuilder& mesh) {
+  OffExtras extras;
+  for (size_t i = 0; i < header.vertices; ++i) {
+    if (!header.one_line && !(i == 0 && header.at_vertex)) lines.next("the last vertex");
+    const dvec3 position = read_position(lines, header);
+    mesh.add_vertex(position, lines.place());
+    if (i == 0)
+      extras.per_vertex =
+          (header.normals ? 3 : 0) + (header.one_line ? (header.colors ? 4 : 0) + (header.texture ? 2 : 0) : 0);
+    if (const size_t there = header.one_line ? 0 : std::min(lines.words_left(), kMostExtras); there > extras.per_vertex)
+      widen(extras, i, there);  // the first line nearly always has them all
+    read_extras(lines, header, extras);
   }
-  size_t place() const { return lines_.line_number(); }
+  return extras;
+}
 
-  double number() {
-    const std::string_view text = word();
-    const std::optional<double> number = parse_number(text);
-    if (!number)
-      mesh_.fail(place(), text.empty() ? "a number is missing" : in_quotes(text) + " is not a usable number");
-    return *number;
+/// Gives the vertices their normals and colours.
+void add_extras(const OffColumns& columns, const OffExtras& extras, MeshBuilder& mesh, Warnings& warnings) {
+  const bool has_colors = columns.color_count == 3 || columns.color_count == 4;
+  const std::string file = mesh.data.path.filename().string();
+  if (columns.color_count > 0 && !has_colors)
+    warnings.push_back(fmt::format("{}: its vertices have colours of {} numbers, not three or four; they were left out",
+                                   file, columns.color_count));
+  if (!columns.has_normals && !has_colors) return;
+  size_t see_through = 0;
+  for (size_t at = 0; at < extras.numbers.size(); at += extras.per_vertex) {
+    const double* const row = &extras.numbers[at];
+    const double *const n = row + columns.normal, *const c = row + columns.color;
+    if (columns.has_normals) mesh.add_normal({n[0], n[1], n[2]});
+    if (has_colors) mesh.data.colors.push_back(color_of_numbers({c[0], c[1], c[2]}));
+    if (columns.color_count == 4) see_through += c[3] < 1;
   }
+  if (see_through > 0)
+    warnings.push_back(
+        fmt::format("{}: {} vertices have a colour with an alpha below 1, which is not read", file, see_through));
+}
 
-  size_t count(double most) {
-    const double value = number();
-    if (!(value >= 0 && value <= most && value == std::floor(value)))
-      mesh_.fail(place(), fmt::format("{:g} is not a count; it must be 0 to {:g}", value, most));
-    return static_cast<size_t>(value);
+/// The colour that ends the line of a face: three numbers, or four with alpha. Others, of colour maps, are counted.
+vec3 read_face_color(OffLines& lines, MeshBuilder& mesh, Tally& unread_colors) {
+  const size_t count = lines.words_left();
+  if (count == 0) return kNoColor;
+  dvec3 numbers(std::numeric_limits<double>::quiet_NaN());
+  for (int i = 0; i < 3 && count >= 3; ++i)
+    numbers[i] = parse_number(lines.word()).value_or(std::numeric_limits<double>::quiet_NaN());
+  if (count > 3) mesh.add_alpha(parse_number(lines.word()).value_or(1), 1, lines.place());
+  const vec3 color = color_of_numbers(numbers);
+  if (color == kNoColor) unread_colors.add(lines.place());
+  return color;
+}
+
+void read_faces(OffLines& lines, const OffHeader& header, MeshBuilder& mesh, Tally& unread_colors) {
+  std::vector<uint32_t> corners;
+  for (size_t i = 0; i < header.faces; ++i) {
+    if (!header.one_line) lines.next("the last face");
+    const size_t count = lines.count(kMostCorners);
+    corners.clear();
+    while (corners.size() < count) corners.push_back(mesh.corner(lines.number(), header.vertices, lines.place()));
+    MeshBuilder::FaceExtras extras;
+    const vec3 color = header.one_line ? kNoColor : read_face_color(lines, mesh, unread_colors);
+    if (color != kNoColor) extras.color = mesh.add_face_color(color);
+    mesh.add_face(corners, lines.place(), extras);
   }
-
- private:
-  TextLines lines_;
-  const MeshBuilder& mesh_;
-  std::string_view rest_;
-};
-
-/// What follows each position, by the keyword: [ST][C][N][4][n]OFF.
-struct OffKind {
-  bool normals = false, colors = false, texture = false;
-};
-
-OffKind parse_keyword(const MeshBuilder& mesh, std::string_view keyword, size_t place) {
-  OffKind kind;
-  const std::string_view whole = keyword;
-  if (keyword.starts_with("ST")) kind.texture = true, keyword.remove_prefix(2);
-  if (keyword.starts_with("C")) kind.colors = true, keyword.remove_prefix(1);
-  if (keyword.starts_with("N")) kind.normals = true, keyword.remove_prefix(1);
-  if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
-    mesh.fail(place, fmt::format("{} does not have three dimensions", in_quotes(whole)));
-  if (keyword != "OFF")
-    mesh.fail(place, fmt::format("{} is not the keyword OFF: it is not an OFF file", in_quotes(whole)));
-  return kind;
 }
 
 }  // namespace
@@ -77,35 +108,14 @@ OffKind parse_keyword(const MeshBuilder& mesh, std::string_view keyword, size_t 
 MeshData read_off(const std::filesystem::path& path, Warnings& warnings) {
   MeshBuilder mesh(path, "line");
   OffLines lines(path, mesh);
-  lines.next("the keyword OFF");
-  const OffKind kind = parse_keyword(mesh, lines.word(), lines.place());
-  if (lines.next_word_is("BINARY")) mesh.fail(lines.place(), "binary OFF is not read; write it as text");
-  if (lines.done()) lines.next("the counts");
-  const auto most = static_cast<double>(std::filesystem::file_size(path));  // one line each
-  const size_t vertices = lines.count(most), faces = lines.count(most);
-  if (!lines.done()) lines.number();  // the number of edges, which is rarely right
-
-  Tally colors;
-  for (size_t i = 0; i < vertices; ++i) {
-    lines.next("the last vertex");
-    const double x = lines.number(), y = lines.number(), z = lines.number();
-    mesh.add_vertex({x, y, z}, lines.place());
-    if (kind.normals) {
-      const double nx = lines.number(), ny = lines.number(), nz = lines.number();
-      mesh.add_normal({nx, ny, nz});
-    }
-    if (kind.colors || !(kind.texture || lines.done())) colors.add(lines.place());
-  }
-  std::vector<uint32_t> corners;
-  for (size_t i = 0; i < faces; ++i) {
-    lines.next("the last face");
-    const size_t count = lines.count(kMostCorners);
-    corners.clear();
-    while (corners.size() < count) corners.push_back(mesh.corner(lines.number(), vertices, lines.place()));
-    mesh.add_face(corners, lines.place());
-    if (!lines.done()) colors.add(lines.place());
-  }
-  report(colors, "vertices and faces have colours, which are ignored", path, warnings);
+  const OffHeader header = read_off_header(lines, mesh, static_cast<double>(std::filesystem::file_size(path)));
+  const OffExtras extras = read_vertices(lines, header, mesh);
+  add_extras(find_columns(header, extras), extras, mesh, warnings);
+  Tally unread_colors;
+  read_faces(lines, header, mesh, unread_colors);
+  report(unread_colors, "faces have colours that are not three or four numbers, and were left out", path, warnings);
+  if (header.texture)
+    warnings.push_back(path.filename().string() + ": texture coordinates were left out: OFF names no texture");
   return mesh.finish(warnings);
 }
 

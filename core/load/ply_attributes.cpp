@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "core/base/error.h"
+
 namespace hybridrt {
 namespace {
 
@@ -53,6 +55,41 @@ std::array<int, 2> find_texcoord(const PlyElement& element) {
     if (found[0] >= 0 && found[1] >= 0) return found;
   }
   return {-1, -1};
+}
+
+bool has_corner_texcoords(const PlyElement& element) {
+  const int at = element.find("texcoord");
+  return at >= 0 && element.properties[static_cast<size_t>(at)].is_list;
+}
+
+PlyVertexLayout vertex_layout(const PlyElement& element, bool textured, const std::filesystem::path& path,
+                              Warnings& warnings) {
+  constexpr const char* kNames[6] = {"x", "y", "z", "nx", "ny", "nz"};
+  using Layout = PlyVertexLayout;
+  Layout layout;
+  layout.slots.assign(element.properties.size(), -1);
+  const auto take = [&](int property, int number) {
+    if (property >= 0) layout.slots[static_cast<size_t>(property)] = number;
+    return property >= 0;
+  };
+  int known = 0;
+  for (int i = 0; i < 6; ++i)
+    if (const int at = element.find(kNames[i]); at >= 0 && !element.properties[static_cast<size_t>(at)].is_list)
+      take(at, i), known |= 1 << i;
+  if ((known & 7) != 7) throw error(ErrorKind::input, "{}: its vertices lack x, y or z", path.string());
+  layout.has_normals = known == 63;
+
+  layout.color = find_color(element);
+  layout.has_color = layout.color.complete();
+  if (layout.color.any() && !layout.has_color)
+    warnings.push_back(path.filename().string() +
+                       ": vertex colours are ignored: not all of red, green, blue are there");
+  for (int i = 0; i < 3 && layout.has_color; ++i) take(layout.color.channels[static_cast<size_t>(i)], Layout::kRed + i);
+  layout.has_alpha = layout.has_color && take(layout.color.alpha, Layout::kAlpha);
+  const std::array<int, 2> texcoord = find_texcoord(element);
+  layout.has_texcoord = textured && texcoord[0] >= 0;
+  for (int i = 0; i < 2 && layout.has_texcoord; ++i) take(texcoord[static_cast<size_t>(i)], Layout::kU + i);
+  return layout;
 }
 
 }  // namespace hybridrt

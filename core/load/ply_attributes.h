@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/warnings.h"
 #include "core/load/ply_header.h"
 
 namespace hybridrt {
@@ -21,5 +22,22 @@ PlyColor find_color(const PlyElement& element);
 /// The properties that are the texture coordinates of a vertex, or -1: s t, u v, texture_u texture_v, texture_s
 /// texture_t.
 std::array<int, 2> find_texcoord(const PlyElement& element);
+
+/// Whether a face has texture coordinates of its corners, a list "texcoord".
+bool has_corner_texcoords(const PlyElement& element);
+
+/// Which numbers of a vertex are read.
+struct PlyVertexLayout {
+  /// The places of a vertex's numbers in a row of them.
+  enum Number { kX, kNormal = 3, kRed = 6, kAlpha = 9, kU = 10, kNumbers = 12 };
+  std::vector<int> slots;  ///< a Number for each property; -1: not read
+  bool has_normals = false, has_color = false, has_alpha = false, has_texcoord = false;
+  PlyColor color;
+};
+
+/// Throws Error (input) if there is no position. Warns of an incomplete colour. `textured`: texture coordinates are
+/// read.
+PlyVertexLayout vertex_layout(const PlyElement& element, bool textured, const std::filesystem::path& path,
+                              Warnings& warnings);
 
 }  // namespace hybridrt

@@ -14,16 +14,16 @@ namespace {
 
 constexpr size_t kLongestHeader = 1 << 16;
 
-const std::map<std::string_view, PlyType> kTypes = {
+const std::map<std::string, PlyType> kTypes = {
     {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
     {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
     {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
     {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
     {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
     {"float64", PlyType::float64}};
-const std::map<std::string_view, PlyFormat> kFormats = {{"ascii", PlyFormat::ascii},
-                                                        {"binary_little_endian", PlyFormat::little_endian},
-                                                        {"binary_big_endian", PlyFormat::big_endian}};
+const std::map<std::string, PlyFormat> kFormats = {{"ascii", PlyFormat::ascii},
+                                                   {"binary_little_endian", PlyFormat::little_endian},
+                                                   {"binary_big_endian", PlyFormat::big_endian}};
 
 struct HeaderText {
   const std::filesystem::path& path;
@@ -45,7 +45,7 @@ struct HeaderText {
   }
 
   PlyType type(std::string_view name) const {
-    const auto found = kTypes.find(name);
+    const auto found = kTypes.find(lower_case(name));
     if (found == kTypes.end()) fail(fmt::format("{} is not a PLY number type", in_quotes(name)));
     return found->second;
   }
@@ -53,7 +53,7 @@ struct HeaderText {
 
 PlyElement parse_element(const HeaderText& header, std::string_view rest) {
   PlyElement element;
-  element.name = take_word(rest);
+  element.name = lower_case(take_word(rest));
   const std::string_view count = take_word(rest);
   const auto [stop, status] = std::from_chars(count.data(), count.data() + count.size(), element.count);
   if (element.name.empty() || count.empty() || status != std::errc() || stop != count.data() + count.size())
@@ -64,7 +64,7 @@ PlyElement parse_element(const HeaderText& header, std::string_view rest) {
 PlyProperty parse_property(const HeaderText& header, std::string_view rest) {
   PlyProperty property;
   std::string_view word = take_word(rest);
-  if (word == "list") {
+  if (lower_case(word) == "list") {
     property.is_list = true;
     property.count_type = header.type(take_word(rest));
     if (property.count_type == PlyType::float32 || property.count_type == PlyType::float64)
@@ -72,17 +72,15 @@ PlyProperty parse_property(const HeaderText& header, std::string_view rest) {
     word = take_word(rest);
   }
   property.type = header.type(word);
-  property.name = take_word(rest);
+  property.name = lower_case(take_word(rest));
   if (property.name.empty()) header.fail("a property needs a name");
   return property;
 }
 
-/// The fewest bytes that an element can take: as text a digit and a blank per number.
-uint64_t least_bytes(const PlyElement& element, PlyFormat format) {
-  uint64_t bytes = 0;
-  for (const PlyProperty& property : element.properties)
-    bytes += format == PlyFormat::ascii ? 2 : size_of(property.is_list ? property.count_type : property.type);
-  return bytes;
+void read_comment(std::string_view comment, size_t line, PlyHeader& header) {
+  const std::string keyword = lower_case(take_word(comment));
+  comment = trimmed(comment);
+  if (keyword == "texturefile" && !comment.empty()) header.textures.push_back({std::string(comment), line});
 }
 
 void require_room(const std::filesystem::path& path, const PlyHeader& header, uint64_t file_bytes) {
@@ -116,6 +114,19 @@ int PlyElement::find(std::string_view property) const {
   return -1;
 }
 
+int PlyElement::find_corners() const {
+  for (const char* known : {"vertex_indices", "vertex_index", "vertex_indexes"})
+    if (const int found = find(known); found >= 0 && properties[static_cast<size_t>(found)].is_list) return found;
+  return -1;
+}
+
+uint64_t least_bytes(const PlyElement& element, PlyFormat format) {
+  uint64_t bytes = 0;
+  for (const PlyProperty& property : element.properties)
+    bytes += format == PlyFormat::ascii ? 2 : size_of(property.is_list ? property.count_type : property.type);
+  return bytes;
+}
+
 PlyHeader read_ply_header(const std::filesystem::path& path) {
   std::error_code problem;
   if (std::filesystem::is_directory(path, problem))
@@ -134,12 +145,13 @@ PlyHeader read_ply_header(const std::filesystem::path& path) {
   bool has_format = false;
   for (;;) {
     std::string_view rest = text.next();
-    const std::string_view keyword = take_word(rest);
+    const std::string keyword = lower_case(take_word(rest));
     if (keyword == "end_header") break;
+    if (keyword == "comment" || keyword == "obj_info") read_comment(rest, text.line, header);
     if (keyword.empty() || keyword == "comment" || keyword == "obj_info") continue;
     if (keyword == "format") {
       const std::string_view name = take_word(rest);
-      const auto known = kFormats.find(name);
+      const auto known = kFormats.find(lower_case(name));
       if (known == kFormats.end()) text.fail(fmt::format("{} is not a PLY format", in_quotes(name)));
       header.format = known->second;
       has_format = true;

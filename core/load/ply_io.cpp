@@ -1,109 +1,191 @@
 #include "core/load/ply_io.h"
 
-#include <algorithm>
+#include <array>
 
 #include "core/base/error.h"
 #include "core/load/mesh_builder.h"
+#include "core/load/mesh_colors.h"
+#include "core/load/ply_attributes.h"
+#include "core/load/ply_face_extras.h"
+#include "core/load/ply_lists.h"
+#include "core/load/ply_textures.h"
 #include "core/load/ply_values.h"
 
 namespace hybridrt {
 namespace {
 
-constexpr double kMostListed = 1 << 20;  // corners of one polygon, numbers of any other list
-
-bool is_color(std::string_view property) { return property == "red" || property == "r" || property == "diffuse_red"; }
-
-/// Reads the length of the next list.
 template <typename Values>
-size_t list_length(Values& values, const PlyProperty& property, const MeshBuilder& mesh, uint64_t index) {
-  const double count = values.next(property.count_type);
-  if (!(count >= 0 && count <= kMostListed && count == std::floor(count)))
-    mesh.fail(values.place(index), fmt::format("a list of {:g} numbers; there must be 0 to {}", count, kMostListed));
-  values.require(static_cast<uint64_t>(count), property.type);
-  return static_cast<size_t>(count);
-}
-
-template <typename Values>
-void skip(Values& values, const PlyProperty& property, const MeshBuilder& mesh, uint64_t index) {
-  const size_t count = property.is_list ? list_length(values, property, mesh, index) : 1;
-  for (size_t i = 0; i < count; ++i) values.next(property.type);
-}
-
-template <typename Values>
-void read_vertices(Values& values, const PlyElement& element, MeshBuilder& mesh, Warnings& warnings) {
-  // What each property is: 0-2 position, 3-5 normal, else skipped.
-  constexpr const char* kNames[6] = {"x", "y", "z", "nx", "ny", "nz"};
-  std::vector<int> slots(element.properties.size(), -1);
-  int known = 0;
-  for (int i = 0; i < 6; ++i)
-    if (const int at = element.find(kNames[i]); at >= 0 && !element.properties[static_cast<size_t>(at)].is_list)
-      slots[static_cast<size_t>(at)] = i, known |= 1 << i;
-  if ((known & 7) != 7) throw error(ErrorKind::input, "{}: its vertices lack x, y or z", mesh.data.path.string());
-  const bool has_normals = known == 63;
-  if (std::any_of(element.properties.begin(), element.properties.end(),
-                  [](const PlyProperty& p) { return is_color(p.name); }))
-    warnings.push_back(mesh.data.path.filename().string() + ": vertex colours are ignored");
-
+void read_vertices(Values& values, const PlyElement& element, bool textured, MeshBuilder& mesh, Warnings& warnings) {
+  using Layout = PlyVertexLayout;
+  const Layout layout = vertex_layout(element, textured, mesh.data.path, warnings);
   mesh.data.positions.reserve(element.count);
-  if (has_normals) mesh.data.normals.reserve(element.count);
+  if (layout.has_normals) mesh.data.normals.reserve(element.count);
+  if (layout.has_color) mesh.data.colors.reserve(element.count), mesh.data.color_full = layout.color.full;
+  if (layout.has_texcoord) mesh.data.texcoords.reserve(element.count);
+  std::array<double, Layout::kNumbers> numbers{};
+  const auto three_at = [&](size_t at) { return dvec3(numbers[at], numbers[at + 1], numbers[at + 2]); };
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin(element, i);
-    double numbers[6] = {};
-    for (size_t p = 0; p < slots.size(); ++p)
-      if (slots[p] >= 0)
-        numbers[slots[p]] = values.next(element.properties[p].type);
+    for (size_t p = 0; p < layout.slots.size(); ++p)
+      if (layout.slots[p] >= 0)
+        numbers[static_cast<size_t>(layout.slots[p])] = values.next(element.properties[p].type);
       else
         skip(values, element.properties[p], mesh, i);
-    mesh.add_vertex({numbers[0], numbers[1], numbers[2]}, values.place(i));
-    if (has_normals) mesh.add_normal({numbers[3], numbers[4], numbers[5]});
+    mesh.add_vertex(three_at(Layout::kX), values.place(i));
+    if (layout.has_normals) mesh.add_normal(three_at(Layout::kNormal));
+    if (layout.has_color) mesh.data.colors.push_back(color_of_numbers(three_at(Layout::kRed)));
+    if (layout.has_alpha) mesh.add_alpha(numbers[Layout::kAlpha], layout.color.full_alpha, values.place(i));
+    if (layout.has_texcoord) mesh.add_texcoord({numbers[Layout::kU], numbers[Layout::kU + 1]}, values.place(i));
   }
 }
 
+/// Faces that come before their vertices: polygons cannot be cut yet.
+struct WaitingFaces {
+  struct Face {
+    uint32_t corners = 0;
+    bool has_texcoords = false;
+    MeshBuilder::FaceExtras extras;  ///< but for its texcoords
+    size_t place = 0;
+  };
+  std::vector<Face> faces;
+  std::vector<uint32_t> corners, texcoords;  ///< one face after the other; those of faces that have some
+
+  void add(std::span<const uint32_t> of_corners, size_t place, MeshBuilder::FaceExtras extras) {
+    corners.insert(corners.end(), of_corners.begin(), of_corners.end());
+    texcoords.insert(texcoords.end(), extras.texcoords.begin(), extras.texcoords.end());
+    const bool has_texcoords = !extras.texcoords.empty();
+    extras.texcoords = {};
+    faces.push_back({static_cast<uint32_t>(of_corners.size()), has_texcoords, extras, place});
+  }
+};
+
+void add_waiting(const WaitingFaces& waiting, MeshBuilder& mesh) {
+  const uint32_t *corners = waiting.corners.data(), *texcoords = waiting.texcoords.data();
+  for (const WaitingFaces::Face& face : waiting.faces) {
+    MeshBuilder::FaceExtras extras = face.extras;
+    if (face.has_texcoords) extras.texcoords = {texcoords, face.corners};
+    mesh.add_face({corners, face.corners}, face.place, extras);
+    corners += face.corners;
+    texcoords += extras.texcoords.size();
+  }
+}
+
+/// The list of corners of an element. Throws Error (input) if there is none.
+size_t corner_list(const PlyElement& element, const MeshBuilder& mesh) {
+  const int list = element.find_corners();
+  if (list < 0)
+    throw error(ErrorKind::input, "{}: its {}s have no list 'vertex_indices'; export the mesh again",
+                mesh.data.path.string(), element.name == "face" ? "face" : "strip");
+  return static_cast<size_t>(list);
+}
+
 template <typename Values>
-void read_faces(Values& values, const PlyElement& element, uint64_t vertices, MeshBuilder& mesh) {
-  int list = element.find("vertex_indices");
-  if (list < 0) list = element.find("vertex_index");
-  if (list < 0 || !element.properties[static_cast<size_t>(list)].is_list)
-    throw error(ErrorKind::input, "{}: its faces have no list 'vertex_indices'", mesh.data.path.string());
-  if (mesh.data.positions.size() != vertices)
-    throw error(ErrorKind::input, "{}: its faces come before its vertices; write the vertices first",
-                mesh.data.path.string());
+void read_faces(Values& values, const PlyElement& element, uint64_t vertices,
+                const std::vector<uint32_t>& texture_materials, MeshBuilder& mesh, WaitingFaces& waiting,
+                Warnings& warnings) {
+  const size_t list = corner_list(element, mesh);
+  const bool must_wait = mesh.data.positions.size() != vertices;
+  FaceExtrasReader reader(values, element, texture_materials, mesh, warnings);
   std::vector<uint32_t> corners;
   for (uint64_t i = 0; i < element.count; ++i) {
     values.begin(element, i);
+    reader.begin();
+    corners.clear();
+    const size_t place = values.place(i);
     for (size_t p = 0; p < element.properties.size(); ++p) {
-      const PlyProperty& property = element.properties[p];
-      if (static_cast<int>(p) != list) {
-        skip(values, property, mesh, i);
+      if (p != list) {
+        reader.read(p, i);
         continue;
       }
-      const size_t count = list_length(values, property, mesh, i), place = values.place(i);
-      corners.clear();
+      const PlyProperty& property = element.properties[p];
+      const size_t count = list_length(values, property, mesh, i);
       while (corners.size() < count) corners.push_back(mesh.corner(values.next(property.type), vertices, place));
-      mesh.add_face(corners, place);
     }
+    const MeshBuilder::FaceExtras extras = reader.finish(corners.size(), place);
+    if (must_wait)
+      waiting.add(corners, place, extras);
+    else
+      mesh.add_face(corners, place, extras);
+  }
+  reader.report_unknown(warnings);
+}
+
+/// Whether a number of a strip list starts a new strip: -1, as an unsigned number too.
+bool restarts(double number, PlyType type, uint64_t vertices) {
+  if (number == -1) return true;
+  const double largest = type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 4294967295.0;
+  const bool is_unsigned = type == PlyType::uint8 || type == PlyType::uint16 || type == PlyType::uint32;
+  return is_unsigned && number == largest && largest >= static_cast<double>(vertices);
+}
+
+/// One list of strips: each corner after two others makes a triangle, which faces the same way as the one before.
+template <typename Values>
+void read_strips(Values& values, const PlyProperty& property, uint64_t vertices, uint64_t index,
+                 const MeshBuilder::FaceExtras& extras, MeshBuilder& mesh) {
+  const size_t count = list_length(values, property, mesh, index, kMostInStrips);
+  std::array<uint32_t, 3> last{};
+  size_t length = 0;  // of this strip
+  const auto place = [&] { return values.place(mesh.data.faces); };
+  const auto end_strip = [&] {
+    if (length == 1 || length == 2) mesh.add_face(std::span(last).first(length), place());
+    length = 0;
+  };
+  for (size_t i = 0; i < count; ++i) {
+    const double number = values.next(property.type);
+    if (restarts(number, property.type, vertices)) {
+      end_strip();
+      continue;
+    }
+    last = {last[1], last[2], mesh.corner(number, vertices, place())};
+    if (++length < 3) continue;
+    const auto [a, b, c] = last;
+    if (a == b || b == c || c == a) continue;  // no triangle: strips turn corners this way
+    mesh.add_face(length % 2 == 1 ? std::array{a, b, c} : std::array{b, a, c}, place(), extras);
+  }
+  end_strip();
+}
+
+template <typename Values>
+void read_tristrips(Values& values, const PlyElement& element, uint64_t vertices,
+                    const std::vector<uint32_t>& texture_materials, MeshBuilder& mesh) {
+  MeshBuilder::FaceExtras extras;
+  if (!texture_materials.empty()) extras.material = texture_materials[0];
+  const size_t list = corner_list(element, mesh);
+  for (uint64_t i = 0; i < element.count; ++i) {
+    values.begin(element, i);
+    for (size_t p = 0; p < element.properties.size(); ++p)
+      if (p == list)
+        read_strips(values, element.properties[p], vertices, i, extras, mesh);
+      else
+        skip(values, element.properties[p], mesh, i);
   }
 }
 
 template <typename Values>
 void read_elements(Values& values, const PlyHeader& header, MeshBuilder& mesh, Warnings& warnings) {
+  const std::vector<uint32_t> texture_materials = use_textures(header, mesh.data, warnings);
   uint64_t vertices = 0;
   for (const PlyElement& element : header.elements)
     if (element.name == "vertex") vertices += element.count;
+  WaitingFaces waiting;
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
-      read_vertices(values, element, mesh, warnings);
+      read_vertices(values, element, !texture_materials.empty(), mesh, warnings);
     } else if (element.name == "face") {
-      read_faces(values, element, vertices, mesh);
+      read_faces(values, element, vertices, texture_materials, mesh, waiting, warnings);
     } else if (element.name == "tristrips") {
-      throw error(ErrorKind::input, "{}: triangle strips are not read; convert them to faces", mesh.data.path.string());
+      read_tristrips(values, element, vertices, texture_materials, mesh);
     } else {
+      if (element.name.find("texture") != std::string::npos || element.name.find("material") != std::string::npos)
+        warnings.push_back(fmt::format("{}: its elements {} are not read", mesh.data.path.filename().string(),
+                                       in_quotes(element.name)));
       for (uint64_t i = 0; i < element.count; ++i) {
         values.begin(element, i);
         for (const PlyProperty& property : element.properties) skip(values, property, mesh, i);
       }
     }
   }
+  add_waiting(waiting, mesh);
 }
 
 }  // namespace

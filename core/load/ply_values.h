@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -16,17 +15,6 @@
 #include "core/load/text_scan.h"
 
 namespace hybridrt {
-
-/// Whether a word means a number that is not finite: "nan", "-inf", "Infinity", "1.#QNAN".
-inline bool says_not_finite(std::string_view word) {
-  while (!word.empty() && (word.front() == '-' || word.front() == '+')) word.remove_prefix(1);
-  const auto is = [&](std::string_view name) {
-    return word.size() >= name.size() && std::equal(name.begin(), name.end(), word.begin(), [](char a, char b) {
-             return a == b || (b >= 'A' && b <= 'Z' && a == b - 'A' + 'a');
-           });
-  };
-  return is("nan") || is("inf") || is("1.#");
-}
 
 /// The numbers of a PLY file written as text: one element per line.
 class PlyTextValues {
@@ -46,11 +34,10 @@ class PlyTextValues {
                 index + 1, element.count);
   }
 
-  /// NaN for a word that means NaN or infinity; any other word that is not a number throws.
+  /// A word that is neither a number, nor NaN or infinity, throws.
   double next(PlyType) {
     const std::string_view word = take_word(rest_);
-    if (const std::optional<double> number = parse_number(word)) return *number;
-    if (says_not_finite(word)) return std::numeric_limits<double>::quiet_NaN();
+    if (const std::optional<double> number = parse_coordinate(word)) return *number;
     throw error(ErrorKind::input, "{}:{}: {}", lines_.path().string(), lines_.line_number(),
                 word.empty() ? "the line has fewer numbers than the header promises"
                              : in_quotes(word) + " is not a usable number");

@@ -36,7 +36,6 @@ vec3 color_of(uint32_t bits, bool red_is_lowest) {
 void take_stl_colors(std::string_view header, const std::vector<uint16_t>& attributes, MeshData& mesh,
                      Warnings& warnings) {
   HRT_CHECK_EQ(attributes.size(), mesh.triangle_positions.size());
-  const std::string file = mesh.path.filename().string();
   const std::optional<ObjectColor> object = object_color(header);
   const auto says_nothing = [](uint16_t attribute) { return attribute == 0; };
   const bool all_zero = std::all_of(attributes.begin(), attributes.end(), says_nothing);
@@ -45,14 +44,11 @@ void take_stl_colors(std::string_view header, const std::vector<uint16_t>& attri
   // All colours that facets can have, and behind them the object's: an index takes no search.
   constexpr uint32_t kObject = kColorBits + 1u;
   std::vector<uint32_t> places(kObject + 1, kNoIndex);
-  Tally unread;
-  for (size_t i = 0; i < attributes.size(); ++i) {
-    const uint16_t attribute = attributes[i];
+  for (const uint16_t attribute : attributes) {
     const bool has_bit = (attribute & kBit15) != 0;
     uint32_t color = attribute & kColorBits;
     if (object && (has_bit || all_zero)) color = kObject;
     if (!object && !has_bit) {
-      if (attribute != 0) unread.add(i);
       mesh.triangle_colors.emplace_back(kNoIndex);
       continue;
     }
@@ -64,8 +60,8 @@ void take_stl_colors(std::string_view header, const std::vector<uint16_t>& attri
   }
   mesh.color_full = kFull;
   if (mesh.colors.empty()) mesh.triangle_colors.clear();
-  report(unread, "facets have attribute bytes that are no colours and were left out", mesh.path, warnings, "facet");
-  if (object && !object->opaque) warnings.push_back(file + ": the alpha of its colour is not read");
+  if (object && !object->opaque)
+    warnings.push_back(mesh.path.filename().string() + ": the alpha of its colour is not read");
 }
 
 }  // namespace hybridrt

@@ -14,7 +14,7 @@ namespace hybridrt {
 ///  - Magics, where `header` (the first 80 bytes) says COLOR= and four bytes of red, green, blue, alpha: that is the
 ///    object's colour, bit 15 says that the facet has no other, and red are the lowest five bits. Where no facet says
 ///    anything, the object's colour counts.
-/// `attributes`: one for each triangle of the mesh, in order. A warning counts those that are no colours.
+/// `attributes`: one for each triangle of the mesh, in order. Those that are no colours mean nothing.
 void take_stl_colors(std::string_view header, const std::vector<uint16_t>& attributes, MeshData& mesh,
                      Warnings& warnings);
 

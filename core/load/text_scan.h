@@ -2,7 +2,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 
 // Helpers for reading OBJ and MTL statements. Nothing here depends on the locale.
@@ -29,6 +31,13 @@ inline std::string_view take_word(std::string_view& text) {
   return word;
 }
 
+inline std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 /// The whole of `word` as a finite number, or nothing. A leading plus sign is allowed.
 inline std::optional<double> parse_number(std::string_view word) {
   if (word.starts_with('+')) {
@@ -42,6 +51,21 @@ inline std::optional<double> parse_number(std::string_view word) {
     return word.find("e-") != word.npos || word.find("E-") != word.npos ? std::optional<double>(0) : std::nullopt;
   if (status != std::errc() || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+/// As parse_number, but takes the words of printf for what is no finite number ("nan", "-inf", "Infinity", "1.#QNAN"),
+/// and takes what is too large for a double for infinite.
+inline std::optional<double> parse_coordinate(std::string_view word) {
+  if (const std::optional<double> number = parse_number(word)) return number;
+  if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double value = 0;
+  const auto [stop, status] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (status == std::errc::result_out_of_range && stop == word.data() + word.size()) return kInfinity;
+  const std::string name = lower_case(word.substr(0, 9));
+  if (name == "inf" || name == "infinity" || name.starts_with("1.#inf")) return kInfinity;
+  if (name.starts_with("nan") || name.starts_with("1.#")) return std::numeric_limits<double>::quiet_NaN();
+  return std::nullopt;
 }
 
 }  // namespace hybridrt

@@ -6,8 +6,8 @@
 namespace hybridrt {
 namespace {
 
-constexpr float kSizes = 30;       // half its width, in sizes of what stands on it
-constexpr float kBelow = 1e-4f;    // likewise
+constexpr float kSizes = 30;     // half its width, in sizes of what stands on it
+constexpr float kBelow = 1e-4f;  // likewise
 constexpr float kGrey = 0.5f;
 
 /// Gives the new triangle no texture. The textures are shared and read-only, so they are copied.

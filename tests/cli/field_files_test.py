@@ -93,6 +93,37 @@ class TextureTest(FieldCase):
             self.textured("parent_folder_texture/" + name)
 
 
+class ColourTest(FieldCase):
+    def note(self, name, *says):
+        """What `inspect` and `render` say without a warning, and the picture."""
+        path = os.path.join(FIELD, name)
+        self.assertEqual(len(self.report(path)["notes"]), len(says))
+        spoken = self.succeed("render", path, "--size", "8x8", "--method", "raytrace", "-o", "p.png").stderr
+        for note, part in zip(self.report(path)["notes"], says):
+            self.assertIn(part, note)
+            self.assertIn(note, spoken)
+        return self.told(name)
+
+    def test_colours_silent(self):
+        folder = "colours_silent/"
+        pictures = [self.note(folder + "vertex.obj", "colours of its vertices (sRGB, 0 to 1) are the diffuse colour of 12"),
+                    self.note(folder + "face.ply", "colours of its faces (sRGB, 0 to 255) are the diffuse colour of 12"),
+                    self.note(folder + "s_viscam.stl", "colours of its faces (sRGB, 0 to 31)")]
+        for rows in pictures:
+            colours = {tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}
+            self.assertTrue(any(max(c) - min(c) > 60 for c in colours), "not all grey")
+
+    def test_ply_texture_silent(self):
+        for name in ("wedge_ascii.ply", "vert_st.ply"):
+            rows = self.told("ply_texture_silent/" + name)
+            self.assertRegex(self.report(os.path.join(FIELD, "ply_texture_silent", name))["files"][-1], "tex4.png$")
+            self.assertGreater(len({tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}), 8, "a texture")
+
+    def test_no_usemtl(self):
+        rows = self.told("no_usemtl/m_nouse.obj", "m_nouse.obj: no usemtl, so the one material of its MTL, 'm', is used")
+        self.assertGreater(len({tuple(row[3 * x:3 * x + 3]) for row in rows for x in range(32)}), 8, "a texture")
+
+
 class HighlightTest(FieldCase):
     def test_specular_ns0(self):
         ns0 = self.told("specular_ns0/m_ns0.obj")
@@ -135,6 +166,34 @@ class SizeTest(FieldCase):
         rows = self.told("stray_triangle/g_stray.obj", told)
         middle = rows[12][3 * 16:3 * 17]
         self.assertNotEqual(middle, rows[0][:3], "the cube is in the middle of the picture")
+
+
+class FormsTest(FieldCase):
+    """Files of all sorts that describe one thing."""
+
+    def test_off_headers(self):
+        plain = self.told("off_headers/plain.off")
+        for name in ("modelnet", "nokey", "lower", "oneline", "splitcounts"):
+            self.assertEqual(self.told(f"off_headers/{name}.off"), plain, name)
+        self.told("off_headers/ncoff.off")
+        notes = self.report(os.path.join(FIELD, "off_headers", "ncoff.off"))["notes"]
+        self.assertIn("the colours of its vertices (sRGB, 0 to 255) are the diffuse colour of 12 triangles", notes[0])
+
+    def test_ply_tristrips(self):
+        self.assertGreater(len({bytes(row) for row in self.told("ply_tristrips/tristrips_ascii.ply")}), 8, "a surface")
+
+    def test_stl_forms(self):
+        cube = self.told("stl_text_forms/comment.stl")
+        self.assertEqual(self.told("stl_text_forms/noend.stl", "have no 'endsolid'; is the file cut short?"), cube)
+        self.assertEqual(self.told("stl_count0/s_count0.stl", "its size is that of 12"), cube)
+
+    def test_nan_unreferenced(self):
+        with open(os.path.join(FIELD, "nan_unreferenced", "unref.obj"), encoding="utf-8") as file:
+            self.write("cube.obj", "".join(line for line in file if "nan" not in line))
+        cube = self.fine("cube.obj")
+        for name in ("unref.obj", "p_nanunref.ply"):
+            self.assertEqual(self.told("nan_unreferenced/" + name, "1 vertices are NaN"), cube, name)
+        self.told("nan_unreferenced/s_nan.stl", "4 facets with a corner that is NaN")
 
 
 if __name__ == "__main__":

@@ -37,13 +37,22 @@ class RefusedTest(SceneCase):
                 self.refuse(self.write_bytes("bad.obj", data), says)
 
     def test_vertices_that_are_no_numbers(self):
-        for corner, says in (("nan 0 0", "its x coordinate 'nan'"), ("0 -inf 0", "its y coordinate '-inf'"),
-                             ("0 0 1e39", "its z coordinate"), ("0 1e999999 0", "its y coordinate"),
-                             ("1,5 0 0", "its x coordinate '1,5'"), ("0x10 0 0", "'0x10'"),
+        for corner, says in (("1,5 0 0", "its x coordinate '1,5'"), ("0x10 0 0", "'0x10'"),
                              ("1 2", "before its z coordinate")):
             with self.subTest(corner):
                 self.write("bad.obj", obj([*CORNERS, corner]))
                 self.refuse("bad.obj", "bad.obj:9: vertex 9", says)
+
+    def test_vertices_that_are_no_positions(self):
+        house = self.fine(self.write_bytes("house.obj", HOUSE))
+        for corner, says in (("nan 0 0", "its x coordinate is NaN"), ("0 -inf 0", "its y coordinate is infinite"),
+                             ("0 0 1e39", "its z coordinate is not below 1e30"),
+                             ("0 1e999999 0", "its y coordinate is infinite")):
+            with self.subTest(corner):
+                self.write("used.obj", obj([*CORNERS, corner], [*FACES, "1 2 9"]))
+                self.refuse("used.obj", "used.obj:9: vertex 9", says)
+                self.write("unused.obj", obj([*CORNERS, corner]))
+                self.assertEqual(self.warn("unused.obj", "1 vertices are NaN, infinite or not below 1e30"), house)
 
     def test_position_indices_that_lead_nowhere(self):
         for index in ("0", "9", "-9", "4294967297", "-4294967297", "99999999999999999999"):
@@ -163,7 +172,8 @@ class FineTest(SceneCase):
                 self.expect_same(text)
 
     def test_what_is_not_drawn(self):
-        self.expect_same("".join(f"v {v} 1 0.5 0\n" for v in CORNERS) + obj(corners=()))
+        self.expect_same("".join(f"v {v} 1 1 1\n" for v in CORNERS) + obj(corners=()))
+        self.expect_same("".join(f"v {v} 0.5\n" for v in CORNERS) + obj(corners=()))
         self.expect_same("g a\no b\ns 1\nvp 1\n" + HOUSE + "p 1 2\nl 1 2 3\nvt 0 0\nl 1/1 2/1\ng\n")
 
     def test_indices_from_the_end_and_ahead(self):
@@ -208,6 +218,38 @@ class FineTest(SceneCase):
         self.succeed("render", "house.obj", *passes, "-o", "near.png")
         self.succeed("render", "far.obj", *passes, "-o", "far.png")
         self.succeed("compare", "far.png", "near.png")
+
+
+class ColourTest(SceneCase):
+    FRONT = ("--eye", "0.3,0.3,3", "--target", "0.3,0.3,0", "--light", "0,0,1")
+
+    def setUp(self):
+        super().setUp()
+        self.write("painted.obj", "v 0 0 0 1 .5 0\nv 1 0 0 1 .5 0\nv 0 1 0 0 0.25 1\nf 1 2 3\n")
+
+    def test_is_told_but_is_no_warning(self):
+        done = self.succeed("render", "painted.obj", "--size", "8x8", "--method", "raytrace", "-o", "p.png")
+        says = "painted.obj: the colours of its vertices (sRGB, 0 to 1) are the diffuse colour of 1 triangles"
+        self.assertIn("hybridrt: " + says, done.stderr)
+        self.assertEqual(self.report("painted.obj")["notes"], [says])
+        self.assertIn(says, self.succeed("inspect", "painted.obj").stdout)
+        events = self.succeed("render", "painted.obj", "--size", "8x8", "--method", "raytrace", "--json").stdout
+        self.assertIn('{"event":"note","message":"' + says, events)
+
+    def test_linear(self):
+        srgb = self.fine("painted.obj", *self.FRONT)
+        self.write("half.obj", "v 0 0 0 1 .735357 0\nv 1 0 0 1 .735357 0\nv 0 1 0 0 0.537099 1\nf 1 2 3\n")
+        linear = self.fine("painted.obj", *self.FRONT, "--mesh-colors", "linear")
+        self.assertNotEqual(srgb, linear)
+        self.assertEqual(linear, self.fine("half.obj", *self.FRONT))
+        self.write("s.json", '{"meshes": ["painted.obj"], "settings": {"mesh-colors": "linear"}}')
+        self.assertEqual(linear, self.fine("s.json", *self.FRONT))
+
+    def test_every_method_agrees(self):
+        for method in (["hybrid"], ["hybrid", "--shadows", "rays"], ["raster"], ["raytrace"], ["reference"]):
+            self.succeed("render", "painted.obj", *self.FRONT, "--size", "96x72", "-q", "--shadow-map", "64", "--method",
+                         *method, "-o", "_".join(method) + ".png")
+            self.succeed("compare", "_".join(method) + ".png", "hybrid.png")
 
 
 if __name__ == "__main__":

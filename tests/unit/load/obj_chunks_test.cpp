@@ -101,7 +101,7 @@ TEST(ObjChunks, EndsOfLines) {
 }
 
 TEST(ObjChunks, TheFirstFaultCounts) {
-  for (const char* fault : {"v 1 x 0", "v 1 2", "v 1 2 1e31", "f 0 1 2", "f 1 2 99", "f -9 1 2", "f a", "f /1 2 3"}) {
+  for (const char* fault : {"v 1 x 0", "v 1 2", "f 0 1 2", "f 1 2 99", "f -9 1 2", "f a", "f /1 2 3"}) {
     const Reading one = expect_chunks_do_not_matter(kEverything + "\n" + fault + "\n" + kTriangle + kTriangle);
     const Reading two = expect_chunks_do_not_matter(kEverything + "\n" + fault + "\nf 1 2 3\nf 0 0 0\nv z\n");
     EXPECT_TRUE(contains(one.error, ":34: ")) << one.error;
@@ -110,6 +110,13 @@ TEST(ObjChunks, TheFirstFaultCounts) {
   }
   const Reading nul = expect_chunks_do_not_matter(kEverything + "\n" + string("v 1\0 2 3\nv x\n", 13));
   EXPECT_TRUE(contains(nul.error, ":34: a NUL byte")) << nul.error;
+}
+
+TEST(ObjChunks, VerticesThatAreNoPositions) {
+  const Reading unused = expect_chunks_do_not_matter(kEverything + "\nv 1 2 nan\nv 1e31 0 0\n" + kTriangle);
+  EXPECT_EQ(unused.warnings.size(), 5u);
+  const Reading used = expect_chunks_do_not_matter(kEverything + "\nv 1 2 nan\n" + kTriangle + "f 1 2 7 3\n");
+  EXPECT_TRUE(contains(used.error, ":34: vertex 7: its z coordinate is NaN")) << used.error;
 }
 
 TEST(ObjChunks, AManyTimesLargerFileThanAChunk) {
