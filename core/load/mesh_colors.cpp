@@ -50,6 +50,14 @@ struct Uses {
   size_t alone = 0, with_kd = 0, with_map = 0;
 };
 
+std::string text_of(const Uses& uses) {
+  std::vector<std::string> done;
+  if (uses.alone > 0) done.push_back(fmt::format("are the diffuse colour of {} triangles", uses.alone));
+  if (uses.with_kd > 0) done.push_back(fmt::format("multiply Kd of {} triangles", uses.with_kd));
+  if (uses.with_map > 0) done.push_back(fmt::format("were left out on {} triangles with a map_Kd", uses.with_map));
+  return fmt::format("{}", fmt::join(done, ", "));
+}
+
 /// 1 + the index of the material of triangles that have none but a colour.
 uint32_t colored_material_in(Scene& scene, uint32_t known) {
   if (known != 0) return known;
@@ -134,12 +142,8 @@ void take_colors(MeshData& mesh, size_t first_triangle, uint32_t first_vertex, b
   }
   make_linear(mesh.colors, full, linear);
   scene.colors.insert(scene.colors.end(), mesh.colors.begin(), mesh.colors.end());
-  std::vector<std::string> done;
-  if (uses.alone > 0) done.push_back(fmt::format("are the diffuse colour of {} triangles", uses.alone));
-  if (uses.with_kd > 0) done.push_back(fmt::format("multiply Kd of {} triangles", uses.with_kd));
-  if (uses.with_map > 0) done.push_back(fmt::format("were left out on {} triangles with a map_Kd", uses.with_map));
   tell(uses.with_map > 0 ? warnings : scene.notes,
-       fmt::format("({}, 0 to {:g}) {}", linear ? "linear" : "sRGB", full, fmt::join(done, ", ")));
+       fmt::format("({}, 0 to {:g}) {}", linear ? "linear" : "sRGB", full, text_of(uses)));
 }
 
 }  // namespace hybridrt
