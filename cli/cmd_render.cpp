@@ -9,6 +9,7 @@
 #include "cli/loading_line.h"
 #include "cli/render_output.h"
 #include "cli/reporter.h"
+#include "cli/run_inputs.h"
 #include "cli/run_report.h"
 #include "core/base/output_file.h"
 #include "core/base/timing.h"
@@ -19,19 +20,19 @@ namespace {
 
 void print_summary(const OutputOptions& output, const OutputPaths& paths, const RenderJob& job,
                    const RunTotals& totals) {
-  if (output.json || output.quiet || paths.timings == "-") return;
+  if (output.json || output.quiet || paths.timings == "-" || paths.to_standard_output) return;
   fmt::print("{}\nimages   {}\ntimings  {}\n", summary_table(job, totals),
              output_path(paths.pattern, job.frames.lowest()).string(), paths.timings);
   if (!output.contact_sheet.empty()) fmt::print("sheet    {}\n", output.contact_sheet);
 }
 
-ExitCode render(const RenderOptions& command_line, const OutputOptions& output) {
+ExitCode render(const RenderOptions& given, const OutputOptions& output, const std::vector<std::string>& command_line) {
   catch_signals();
   Warnings warnings;
   RunTotals totals;
   const Stopwatch loading;
-  const SceneSource source = parse_scene_source(command_line.scene);
-  const RenderOptions options = with_scene_settings(command_line, source);
+  const SceneSource source = parse_scene_source(given.scene);
+  const RenderOptions options = with_scene_settings(given, source);
   const int threads = thread_count(options);
   gl::limit_software_threads(threads);  // before the first thread is started
   ThreadPool pool(threads);
@@ -45,7 +46,8 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   reporter.warnings(warnings);
   reporter.notes(job.scene.notes);
   FrameWriter writer(output, paths, job, threads);
-  FrameWarningsGiven given;
+  FrameWarningsGiven told;
+  std::vector<int> rendered;
   Stopwatch rendering;
   const auto starting = [&](const RunFacts& so_far) {
     reporter.start(options, job, so_far);
@@ -53,19 +55,22 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
   };
   const auto deliver = [&](Frame&& frame) {
     totals.add(frame);
-    if (const auto warning = frame_warning(frame, job, given)) {
+    rendered.push_back(frame.number);
+    if (const auto warning = frame_warning(frame, job, told)) {
       reporter.warnings({*warning});
       warnings.push_back(*warning);
     }
-    reporter.frame(frame, output_path(paths.pattern, frame.number));
+    reporter.frame(frame, paths.to_standard_output ? "-" : output_path(paths.pattern, frame.number));
     writer.write(std::move(frame));
   };
   const RunFacts facts = run(job, pool, starting, stop_requested, deliver);
   totals.rendering_ms = rendering.elapsed_ms();
   writer.finish(totals);
-  const nlohmann::ordered_json report = run_report(options, job, threads, facts, totals, warnings);
-  write_file_atomically(paths.report,
-                        report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  nlohmann::ordered_json report = run_report(options, job, threads, facts, totals, warnings);
+  report.update(run_inputs(command_line, options, job, paths, rendered));
+  if (!paths.report.empty())
+    write_file_atomically(paths.report,
+                          report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   reporter.end(totals, stop_requested());
   print_summary(output, paths, job, totals);
   return interrupted_or(ExitCode::ok);
@@ -73,7 +78,7 @@ ExitCode render(const RenderOptions& command_line, const OutputOptions& output) 
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Command& chosen) {
+void add_render_command(CLI::App& app, const std::vector<std::string>& command_line, Command& chosen) {
   CLI::App* command = app.add_subcommand("render", "Render a frame or a sequence; write images and the timings CSV");
   auto options = std::make_shared<RenderOptions>();
   auto output = std::make_shared<OutputOptions>();
@@ -82,6 +87,7 @@ void add_render_command(CLI::App& app, Command& chosen) {
   const char* group = "Output";
   command->add_option("-o,--output", output->pattern, "Images, like out/name.####.png (default out/SCENENAME.####.png)")
       ->type_name("PATTERN")
+      ->check([](const std::string& text) { return std::string(text.empty() ? "a name must not be empty" : ""); })
       ->group(group);
   command
       ->add_option("--timings", output->timings,
@@ -101,7 +107,8 @@ void add_render_command(CLI::App& app, Command& chosen) {
       "  hybridrt render car.obj --frames 100 -o turn/car.####.png\n"
       "  hybridrt render scene:chess --size 1920x1080 --samples 8\n"
       "  hybridrt render hall.json --camera walk.json --frames 1-240:10 --contact-sheet walk.png");
-  command->callback([options, output, &chosen] { chosen = [options, output] { return render(*options, *output); }; });
+  command->callback(
+      [options, output, command_line, &chosen] { chosen = [=] { return render(*options, *output, command_line); }; });
 }
 
 }  // namespace hybridrt::cli

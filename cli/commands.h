@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "cli/exit_codes.h"
 
@@ -18,7 +20,8 @@ void add_compare_command(CLI::App& app, Command& chosen);
 void add_golden_command(CLI::App& app, Command& chosen);
 void add_doctor_command(CLI::App& app, Command& chosen);
 void add_inspect_command(CLI::App& app, Command& chosen);
-void add_render_command(CLI::App& app, Command& chosen);
+/// `command_line`: all of it, for run.json.
+void add_render_command(CLI::App& app, const std::vector<std::string>& command_line, Command& chosen);
 void add_scene_command(CLI::App& app, Command& chosen);
 
 }  // namespace hybridrt::cli

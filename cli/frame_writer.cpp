@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "cli/standard_streams.h"
 #include "cli/version.h"
 #include "core/base/timing.h"
 #include "core/image_io/encode_image.h"
@@ -50,10 +51,17 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
       paths_(paths),
       job_(job),
       scene_fingerprint_(fingerprint(job.scene)),
-      layered_(keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
+      layered_(!paths.to_standard_output && keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
       sheet_(job.frames.count()),
-      timings_(paths.timings),
-      sink_(encode_image_file, threads, static_cast<size_t>(2 * threads)) {}
+      sink_(encode_image_file, threads, static_cast<size_t>(2 * threads)) {
+  if (!paths.timings.empty()) timings_.emplace(paths.timings);
+}
+
+void FrameWriter::write_to_standard_output(const Image& picture, const ImageMetadata& metadata) {
+  const std::vector<unsigned char> bytes = encode_image(picture, "png", metadata);
+  std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+  flush_output();
+}
 
 void FrameWriter::write(Frame&& frame) {
   const int number = frame.number;
@@ -62,9 +70,16 @@ void FrameWriter::write(Frame&& frame) {
       {"hybridrt", kVersion},
       {"settings", settings_line(job_.settings)},
       {"fingerprint", fmt::format("{:016x}", fingerprint(scene_fingerprint_, request, job_.settings))}};
-  const auto written = [this, number](double ms) { timings_.file_written(number, ms); };
-  timings_.add(frame, static_cast<int>(layered_ ? 1 : 1 + frame.aovs.size()));
+  const auto written = [this, number](double ms) {
+    if (timings_) timings_->file_written(number, ms);
+  };
+  if (timings_) timings_->add(frame, static_cast<int>(layered_ ? 1 : 1 + frame.aovs.size()));
   if (!options_.contact_sheet.empty()) sheet_.add(frame.picture);
+  if (paths_.to_standard_output) {
+    const Stopwatch writing;
+    write_to_standard_output(frame.picture, metadata);
+    return written(writing.elapsed_ms());
+  }
   if (layered_) {
     frame.picture.camera = image_camera(request.camera, job_.settings);
     frame.picture.layers = std::move(frame.aovs);
@@ -80,8 +95,10 @@ void FrameWriter::finish(RunTotals& totals) {
   const Stopwatch draining;
   sink_.drain();
   totals.drain_ms = draining.elapsed_ms();
-  timings_.finish();
-  totals.sum[PassId::write] = timings_.written_ms();
+  if (timings_) {
+    timings_->finish();
+    totals.sum[PassId::write] = timings_->written_ms();
+  }
   if (!options_.contact_sheet.empty() && totals.frames > 0) sink_.submit(options_.contact_sheet, sheet_.sheet());
   sink_.drain();
 }

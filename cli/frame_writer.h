@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,10 @@ class FrameWriter {
   const uint64_t scene_fingerprint_;
   const bool layered_;  ///< AOVs are layers of the picture, not files of their own
   SheetCollector sheet_;
-  TimingsCsv timings_;
+  std::optional<TimingsCsv> timings_;
   FileSink sink_;
+
+  void write_to_standard_output(const Image& picture, const ImageMetadata& metadata);
 };
 
 }  // namespace hybridrt::cli

@@ -32,6 +32,17 @@ ExitCode fail(ExitCode code, std::string_view message) {
   return code;
 }
 
+/// hybridrt help [COMMAND]
+ExitCode help_of(const CLI::App& app, const std::string& command) {
+  const CLI::App* of = command.empty() ? &app : nullptr;
+  for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (known->get_name() == command) of = known;
+  if (!of) return fail(ExitCode::usage, fmt::format("help {}: no such command; see 'hybridrt help'", command));
+  fmt::print("{}", command.empty() ? app.help() : of->help("hybridrt"));
+  flush_output();
+  return ExitCode::ok;
+}
+
 ExitCode run(int argc, char** argv) {
   CLI::App app{"hybridrt: headless hybrid CPU-GPU renderer of frame sequences", "hybridrt"};
   app.formatter(std::make_shared<HelpFormatter>());
@@ -44,7 +55,7 @@ ExitCode run(int argc, char** argv) {
   bool version = false, as_json = false;
   app.add_flag("--version", version, "Version, commit, compiler, libraries, GL renderer");
   app.add_flag("--json", as_json, "With --version: as one JSON object");
-  add_render_command(app, chosen);
+  add_render_command(app, std::vector<std::string>(argv, argv + argc), chosen);
   add_compare_command(app, chosen);
   add_golden_command(app, chosen);
   add_scene_command(app, chosen);
@@ -52,7 +63,12 @@ ExitCode run(int argc, char** argv) {
   add_doctor_command(app, chosen);
 
   try {
-    bool help = argc <= 1;
+    if (argc <= 1) {
+      say(app.help());
+      return ExitCode::usage;
+    }
+    if (std::string_view(argv[1]) == "help") return help_of(app, argc > 2 ? argv[2] : "");
+    bool help = false;
     try {
       app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {

@@ -1,6 +1,9 @@
 #include "cli/render_output.h"
 
 #include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/output_file.h"
@@ -27,6 +30,29 @@ void name_tables(const OutputOptions& options, const RenderJob& job, bool range,
   // Beside the CSV, but not in /dev.
   const bool is_file = paths.timings != "-" && (!fs::exists(paths.timings) || fs::is_regular_file(paths.timings));
   paths.report = (is_file ? fs::path(paths.timings).parent_path() : folder) / ("run" + part + ".json");
+}
+
+/// The pattern of the pictures that a run.json is about; nothing if it is no run.json of ours, or an old one.
+std::optional<std::string> pattern_in_report(const fs::path& report) {
+  std::ifstream file(report);
+  const nlohmann::json read = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
+  const auto pattern = nlohmann::json::json_pointer("/outputs/pattern");
+  if (!read.is_object() || !read.contains(pattern) || !read[pattern].is_string()) return std::nullopt;
+  return read[pattern].get<std::string>();
+}
+
+/// Another render into the same folder keeps its tables: this run's get the pictures' name.
+void keep_others_tables(const OutputOptions& options, OutputPaths& paths, Warnings& warnings) {
+  const fs::path usual = paths.report;
+  if (usual.filename() != "run.json" || !fs::exists(usual)) return;
+  const auto other = pattern_in_report(usual);
+  if (other == paths.pattern.folder + paths.pattern.name) return;
+  const std::string stem = stem_of(paths.pattern);
+  if (options.timings.empty()) paths.timings = (usual.parent_path() / (stem + ".timings.csv")).string();
+  paths.report = usual.parent_path() / (stem + ".run.json");
+  warnings.push_back(fmt::format("{} is about {}; that of this run is {}{}", usual.string(),
+                                 other.value_or("another run"), paths.report.string(),
+                                 options.timings.empty() ? ", beside " + paths.timings : ""));
 }
 
 bool is_taken(FileClaims& claims, const fs::path& file) { return file != "-" && claims.claim(file) == Answer::taken; }
@@ -62,12 +88,33 @@ void claim_all(const OutputOptions& options, const RenderJob& job, OutputPaths& 
   require_free(is_taken(claims, paths.report), paths.report);
 }
 
+/// `-o -`: nothing else may go there.
+OutputPaths picture_to_standard_output(const OutputOptions& options, const RenderJob& job, FileClaims& claims) {
+  if (options.json || options.timings == "-")
+    throw error(ErrorKind::usage, "-o - wants standard output for the picture; give {} too, or leave it out",
+                options.json ? "--json a picture file" : "--timings a file");
+  if (job.frames.count() > 1)
+    throw error(ErrorKind::usage, "-o - takes one frame; choose it by --frames 7-7, or write files like x.####.png");
+  if (job.settings.aovs != 0) throw error(ErrorKind::usage, "-o - takes no --aov; write files like x.####.png");
+  OutputPaths paths;
+  paths.to_standard_output = true;
+  paths.timings = options.timings;
+  if (!options.contact_sheet.empty()) require_writable_format(options.contact_sheet);
+  for (const std::string& file : {options.timings, options.contact_sheet}) {
+    if (file.empty()) continue;
+    require_free(is_taken(claims, file), file);
+    require_writable(file);
+  }
+  return paths;
+}
+
 }  // namespace
 
 OutputPaths prepare_output(const OutputOptions& options, const SceneSource& source, const RenderJob& job,
                            FileClaims& claims, Warnings& warnings) {
   if (options.json && options.timings == "-")
     throw error(ErrorKind::usage, "--timings - and --json both want standard output; give --timings a file");
+  if (options.pattern == "-") return picture_to_standard_output(options, job, claims);
   OutputPaths paths;
   const std::string usual = "out/" + short_name(source) + ".####.png";
   paths.pattern = parse_output_pattern(options.pattern.empty() ? usual : options.pattern, job.frames.count() > 1);
@@ -79,6 +126,7 @@ OutputPaths prepare_output(const OutputOptions& options, const SceneSource& sour
   if (!options.contact_sheet.empty()) require_writable_format(options.contact_sheet);
 
   name_tables(options, job, !is_whole(job), paths);
+  keep_others_tables(options, paths, warnings);
   claim_all(options, job, paths, claims, warnings);
   require_writable(first);
   require_writable(paths.report);

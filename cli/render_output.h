@@ -19,9 +19,10 @@ struct OutputOptions {
 
 /// Where a run's files go.
 struct OutputPaths {
+  bool to_standard_output = false;  ///< one picture, as PNG; then `pattern` is empty, and tables only where asked for
   OutputPattern pattern;
-  std::string timings;  ///< may be "-"
-  std::filesystem::path report;
+  std::string timings;           ///< may be "-"; empty: none
+  std::filesystem::path report;  ///< empty: none
 };
 
 /// Decides the paths before anything is rendered: makes the folders, tests that each file can be written, and claims

@@ -24,6 +24,16 @@ std::vector<DeviceInfo> candidates(const ContextRequest& request) {
   return devices;
 }
 
+/// What the environment tells Mesa and the loaders to do otherwise, as NAME=value.
+std::string overrides() {
+  std::string set;
+  for (const char* name : {"MESA_GL_VERSION_OVERRIDE", "MESA_GLSL_VERSION_OVERRIDE", "GALLIUM_DRIVER",
+                           "MESA_LOADER_DRIVER_OVERRIDE", "LIBGL_ALWAYS_SOFTWARE", "LIBGL_DRIVERS_PATH",
+                           "__EGL_VENDOR_LIBRARY_FILENAMES", "__EGL_VENDOR_LIBRARY_DIRS", "EGL_PLATFORM"})
+    if (const char* value = std::getenv(name)) set += fmt::format("{}{}={}", set.empty() ? "" : ", ", name, value);
+  return set;
+}
+
 }  // namespace
 
 void limit_software_threads(int threads) {
@@ -49,6 +59,11 @@ std::unique_ptr<Context> open_context(const ContextRequest& request) {
   }
   if (!known_device)
     throw error(ErrorKind::device, "there is no GL device '{}'; 'hybridrt doctor' lists them", request.device);
+  if (const std::string set = overrides(); !set.empty())
+    throw error(ErrorKind::device,
+                "no usable OpenGL 4.5 (tried {}) while the environment sets {}; unset it, or use "
+                "--method raytrace, which needs no GL",
+                tried, set);
   throw error(ErrorKind::device,
               "no usable OpenGL 4.5 (tried {}); install a driver or Mesa (libegl1 libgl1-mesa-dri), or use "
               "--method raytrace, which needs none",

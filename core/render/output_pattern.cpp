@@ -34,6 +34,22 @@ std::optional<Placeholder> braces_at(const std::string& text, size_t begin) {
   return found;
 }
 
+/// `%d` or `%04d` at `begin`, as printf writes numbers.
+std::optional<Placeholder> percent_at(const std::string& text, size_t begin) {
+  const size_t end = text.find_first_not_of("0123456789", begin + 1);
+  if (text[begin] != '%' || end == std::string::npos || text[end] != 'd' || end > begin + 3) return std::nullopt;
+  const std::string digits = text.substr(begin + 1, end - begin - 1);
+  return Placeholder{begin, end + 1 - begin, digits.empty() ? 1 : std::max(1, std::stoi(digits))};
+}
+
+/// Marks of other programs, which would end up in a file's name as they are.
+void refuse_foreign_marks(const std::string& text, const std::string& name) {
+  for (const char* mark : {"$F", "@"})
+    if (const size_t at = name.find(mark); at != std::string::npos)
+      throw error(ErrorKind::usage, "output '{}': '{}' is not a placeholder for several frames; write ####, as in {}",
+                  text, mark, name.substr(0, at) + "####" + name.substr(std::min(name.size(), name.find_last_of('.'))));
+}
+
 std::optional<Placeholder> next_placeholder(const std::string& text, size_t from, bool hashes_count) {
   for (size_t i = from; i < text.size(); ++i) {
     if (hashes_count && text[i] == '#') {
@@ -41,6 +57,7 @@ std::optional<Placeholder> next_placeholder(const std::string& text, size_t from
       return Placeholder{i, end - i, static_cast<int>(end - i)};
     }
     if (const auto found = braces_at(text, i)) return found;
+    if (const auto found = percent_at(text, i)) return found;
   }
   return std::nullopt;
 }
@@ -91,6 +108,7 @@ OutputPattern parse_output_pattern(const std::string& text, bool several_frames)
                 pattern.folder);
   const bool numbered =
       next_placeholder(pattern.folder, 0, false).has_value() | next_placeholder(pattern.name, 0, true).has_value();
+  if (several_frames && !numbered) refuse_foreign_marks(text, pattern.name);
   if (several_frames && !numbered) pattern.name.insert(extension_begin(pattern.name), ".####");
   return pattern;
 }
@@ -99,6 +117,12 @@ std::filesystem::path output_path(const OutputPattern& pattern, int64_t frame, s
   const std::string name = aov.empty() ? pattern.name : with_aov(pattern.name, aov);
   const auto number = [frame](int digits) { return fmt::format("{:0{}d}", frame, digits); };
   return expand(pattern.folder, false, number) + expand(name, true, number);
+}
+
+std::string stem_of(const OutputPattern& pattern) {
+  const std::string name = std::filesystem::path(expand(pattern.name, true, [](int) { return ""; })).stem().string();
+  const size_t end = name.find_last_not_of(" ._-");
+  return end == std::string::npos ? "frames" : name.substr(0, end + 1);
 }
 
 std::filesystem::path common_folder(const OutputPattern& pattern) {

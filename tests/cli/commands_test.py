@@ -31,8 +31,8 @@ class DoctorTest(CliTestCase):
         self.assertTrue(report["devices"], "this machine has no GL at all")
         for device in report["devices"]:
             self.assertGreaterEqual(device["max_texture_px"], 16384)
-            self.render("--device", device["id"], "-o", device["id"] + ".png")
-            self.assertEqual(json.loads(self.read("run.json"))["gl"]["device"], device["id"])
+            self.render("--device", device["id"], "-o", device["id"] + "/x.png")
+            self.assertEqual(json.loads(self.read(device["id"] + "/run.json"))["gl"]["device"], device["id"])
         for device in report["unusable"]:
             self.fail_with(4, "render", "scene:spheres,triangles=500", *SMALL, "--device", device["id"])
 

@@ -104,8 +104,28 @@ class CommandLineTest(CliTestCase):
         self.refuse("--timings", "-", "--json", says=("--timings", "--json"))
 
     def test_help_and_nothing(self):
-        for arguments in ((), ("--help",), ("render", "--help")):
+        for arguments in (("--help",), ("help",), ("render", "--help"), ("help", "render")):
             self.assertIn("render", self.succeed(*arguments).stdout)
+        self.assertEqual(self.succeed("help", "golden").stdout, self.succeed("golden", "--help").stdout)
+        self.fail_with(2, "help", "redner", says=("redner", "hybridrt help"))
+        bare = self.run_binary()
+        self.assertEqual((bare.returncode, bare.stdout), (2, ""))
+        self.assertIn("render", bare.stderr)
+
+    def test_marks_of_other_programs(self):
+        for mark in ("$F4", "@@@@"):
+            self.refuse("--frames", "2", "-o", f"a.{mark}.png", says=(mark[:1], "a.####.png"))
+        self.refuse("-o", "", says="output")
+        self.succeed("render", SCENE, *SMALL, "-q", "--frames", "2", "-o", "a.%03d.png")
+        self.assertTrue(os.path.exists(self.path("a.002.png")), self.files())
+        for mark in ("$F4", "@@@@"):
+            self.succeed("render", SCENE, *SMALL, "-q", "--frames", "2", "-o", f"b{mark}.##.png")
+            self.succeed("render", SCENE, *SMALL, "-q", "-o", f"one{mark}.png")
+            self.assertIn(f"one{mark}.png", self.files())
+
+    def test_gl_overrides_are_named(self):
+        self.fail_with(4, "render", SCENE, *SMALL, env={"MESA_GL_VERSION_OVERRIDE": "2.1"},
+                       says=("MESA_GL_VERSION_OVERRIDE=2.1", "unset"))
 
 
 class SceneTest(CliTestCase):

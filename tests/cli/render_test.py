@@ -3,9 +3,10 @@
 import csv
 import json
 import os
+import subprocess
 import unittest
 
-from cli_test_case import SCENE, SMALL, CliTestCase, Png
+from cli_test_case import BINARY, SCENE, SMALL, CliTestCase, Png
 
 COLUMNS = ("frame,shadow_map_ms,id_ms,mark_ms,readback_ms,trace_ms,upload_ms,shade_ms,download_ms,write_ms,wall_ms,"
            "pixels_hit,pixels_marked,pixels_reflective,pixels_refractive,shadow_rays,reflection_rays,"
@@ -38,6 +39,45 @@ class RenderTest(CliTestCase):
         self.write("my scene.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         self.succeed("render", "my scene.obj", *SMALL, "-q")
         self.assertIn("out/my scene.0001.png", self.files())
+
+    def test_one_frame_to_standard_output(self):
+        self.render("--frames", "3-3", "-o", "file.png")
+        done = subprocess.run([BINARY, "render", SCENE, *SMALL, "--frames", "3-3", "-o", "-"], cwd=self.path("."),
+                              capture_output=True, timeout=120)
+        self.assertEqual((done.returncode, done.stdout), (0, self.read("file.png")))
+        self.assertEqual(self.files(), ["file.png", "run.json", "timings.csv"], "no tables that nobody asked for")
+        for wrong in (("--frames", "2"), ("--timings", "-"), ("--json",), ("--aov", "id")):
+            self.fail_with(2, "render", SCENE, *SMALL, "-o", "-", *wrong, says="-o -")
+
+    def test_another_render_into_a_folder_keeps_the_first_ones_tables(self):
+        self.render("-o", "out/a.####.png")
+        first = self.read("out/timings.csv"), self.read("out/run.json")
+        other = ("render", "scene:chess,triangles=10000", *SMALL, "-q", "-o", "out/b.####.png")
+        for _ in range(2):  # the second time they are its own
+            done = self.succeed(*other)
+            self.assertIn("out/run.json is about out/a.####.png; that of this run is out/b.run.json", done.stderr)
+        self.assertEqual((self.read("out/timings.csv"), self.read("out/run.json")), first)
+        self.assertEqual(self.files("out"), ["a.0001.png", "b.0001.png", "b.run.json", "b.timings.csv", "run.json",
+                                             "timings.csv"])
+        self.assertEqual(self.render("-o", "out/a.####.png", "--samples", "2").stderr, "", "its own are replaced")
+        self.assertNotEqual(self.read("out/run.json"), first[1])
+
+    def test_run_json_can_make_the_pictures_again(self):
+        self.render("-o", "a.####.png", "--frames", "2", "--fov", "30", "--background", "0,0,1")
+        run = json.loads(self.read("run.json"))
+        self.assertEqual(run["command_line"][1:], ["render", SCENE, *SMALL, "-q", "-o", "a.####.png", "--frames", "2",
+                                                   "--fov", "30", "--background", "0,0,1"])
+        first = {name: self.read(name) for name in ("a.0001.png", "a.0002.png")}
+        for name in first:
+            os.remove(self.path(name))
+        self.succeed(*run["command_line"][1:])
+        self.assertEqual({name: self.read(name) for name in first}, first)
+        self.assertEqual(list(run["fingerprints"]), ["1", "2"])
+        for frame, number in run["fingerprints"].items():
+            self.assertIn(b"fingerprint=" + number.encode(), self.read(f"a.000{frame}.png"))
+        self.assertEqual(run["background"], [0, 0, 1])
+        self.assertAlmostEqual(run["camera"]["first"]["fov_y_deg"], 30)
+        self.assertEqual(run["outputs"]["pattern"], "a.####.png")
 
     def test_sequence_and_its_timings(self):
         self.render("--frames", "8-12:2,3", "-o", "pictures/x.###.png")
@@ -100,7 +140,7 @@ class RenderTest(CliTestCase):
         self.render("--frames", "2", "-o", "shots/{frame}/p.png")
         self.assertEqual(self.files("shots"), ["1/p.png", "2/p.png", "run.json", "timings.csv"])
         self.render("--frames", "3-3", "-o", "shots/{frame}/q.png")
-        self.assertEqual(self.files("shots"), ["1/p.png", "2/p.png", "3/q.png", "run.json", "timings.csv"])
+        self.assertEqual(self.files("shots"), ["1/p.png", "2/p.png", "3/q.png", "q.run.json", "q.timings.csv", "run.json", "timings.csv"])
 
     def test_contact_sheet(self):
         self.render("--frames", "5", "--contact-sheet", "sheet.png")

@@ -79,7 +79,7 @@ class StandardOutputTest(StreamsCase):
         self.render("-o", "b.png", "--light", "1,0,0")
         self.write("list.json", json.dumps({"cases": [{"name": "one", "scene": SCENE, "options": [*SMALL], "reason": "is"}]}))
         golden = ("--list", "list.json")
-        return ((), ("--help",), ("render", "--help"), ("golden", "check", "--help"), ("--version",), ("--version", "--json"),
+        return (("help",), ("--help",), ("render", "--help"), ("golden", "check", "--help"), ("--version",), ("--version", "--json"),
                 ("doctor",), ("doctor", "--json"), ("inspect", SCENE), ("inspect", SCENE, "--json"),
                 ("compare", "a.png", "a.png"), ("compare", "a.png", "b.png"), ("compare", "a.png", "b.png", "--json"),
                 ("scene", "spheres", "--triangles", "500"), ("golden", "update", *golden), ("golden", "check", *golden),
