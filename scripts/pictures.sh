@@ -41,4 +41,4 @@ rm "$out"/triptych_blur*.png "$out"/triptych_truth*.png
 
 # The paper's measuring scene.
 render scene:spheres,triangles=500000,reflective=10 --size 800x600 --samples 16 -o "$out/spheres.png"
-rm -f "$out/run.json"
+rm -f "$out"/*run.json
