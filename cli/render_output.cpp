@@ -42,7 +42,7 @@ std::optional<std::string> pattern_in_report(const fs::path& report) {
 }
 
 /// Another render into the same folder keeps its tables: this run's get the pictures' name.
-void keep_others_tables(const OutputOptions& options, OutputPaths& paths, Warnings& warnings) {
+void keep_others_tables(const OutputOptions& options, OutputPaths& paths) {
   const fs::path usual = paths.report;
   if (usual.filename() != "run.json" || !fs::exists(usual)) return;
   const auto other = pattern_in_report(usual);
@@ -50,9 +50,6 @@ void keep_others_tables(const OutputOptions& options, OutputPaths& paths, Warnin
   const std::string stem = stem_of(paths.pattern);
   if (options.timings.empty()) paths.timings = (usual.parent_path() / (stem + ".timings.csv")).string();
   paths.report = usual.parent_path() / (stem + ".run.json");
-  warnings.push_back(fmt::format("{} is about {}; that of this run is {}{}", usual.string(),
-                                 other.value_or("another run"), paths.report.string(),
-                                 options.timings.empty() ? ", beside " + paths.timings : ""));
 }
 
 bool is_taken(FileClaims& claims, const fs::path& file) { return file != "-" && claims.claim(file) == Answer::taken; }
@@ -126,7 +123,7 @@ OutputPaths prepare_output(const OutputOptions& options, const SceneSource& sour
   if (!options.contact_sheet.empty()) require_writable_format(options.contact_sheet);
 
   name_tables(options, job, !is_whole(job), paths);
-  keep_others_tables(options, paths, warnings);
+  keep_others_tables(options, paths);
   claim_all(options, job, paths, claims, warnings);
   require_writable(first);
   require_writable(paths.report);
