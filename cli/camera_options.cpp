@@ -53,7 +53,10 @@ ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, co
     chosen.course = std::move(*named);
   } else {
     chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
-    const DefaultView view = choose_default_view(job.scene, *chosen.caster.caster, aspect, fov_y_rad);
+    const DefaultView view = choose_default_view(job.scene, job.topology, *chosen.caster.caster, aspect, fov_y_rad);
+    if (view.surroundings == Surroundings::inside)
+      warnings.push_back(
+          "the scene looks like a room, and the camera stands in it; --eye and --target place it elsewhere");
     chosen.surroundings = view.surroundings;
     chosen.course = view.orbit;
   }

@@ -44,7 +44,8 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
 
   const size_t lights = light_count(o, source);
   require_room_for_frames(job.settings, lights, pool.size(), job.frames.count(), job.most_bytes);
-  set_scene(job, load_scene(source, o.up_axis, pool, warnings, {job.most_bytes, progress, read_texels}), pool);
+  set_scene(job, load_scene(source, o.up_axis, pool, warnings, {job.most_bytes, progress, read_texels}), pool,
+            warnings);
   require_room_for_run(job, source, lights, pool.size());
 
   const UpAxis up_axis = o.up_axis ? *o.up_axis : source.up_axis.value_or(UpAxis::y);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/topology.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/trace/ray_caster.h"
@@ -19,9 +20,11 @@ struct DefaultView {
 };
 
 /// A scene is a room if most of what would be seen from outside is back faces, or if it is closed and more of its
-/// triangles are seen from its roomiest point than from all around. `caster` must belong to `scene`; about 100,000 rays
-/// are traced.
-DefaultView choose_default_view(const Scene& scene, const RayCaster<float>& caster, double aspect, double fov_y_rad);
+/// triangles are seen from its roomiest point than from all around. To stand in it, it must also span at least half of
+/// the scene's extent, and not be one thing with nothing in it. `topology` and `caster` must belong to `scene`; about
+/// 100,000 rays are traced.
+DefaultView choose_default_view(const Scene& scene, const Topology& topology, const RayCaster<float>& caster,
+                                double aspect, double fov_y_rad);
 
 /// The light when none is given. Together with the ambient light it makes a white surface that faces it just white.
 /// Outside it comes from above, left of and behind `camera`; through a room's open side it comes in lower, so that it
