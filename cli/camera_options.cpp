@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/load/camera_json.h"
+#include "core/render/room.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -81,14 +82,19 @@ ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, co
     if (!gives_lights(o, source, chosen.course) &&
         framing.bounds.holds(vec3(first.eye_world - job.scene.origin_world))) {
       chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
-      if (is_in_closed_room(job.scene, *chosen.caster.caster, first.eye_world))
+      if (is_in_closed_room({job.scene, job.topology, framing.bounds, *chosen.caster.caster},
+                            vec3(first.eye_world - job.scene.origin_world)))
         chosen.surroundings = Surroundings::inside;
     }
   } else {
     chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
     hint_at_up_axis(o, source, framing.bounds, warnings);
     warn_of_stray(job.scene, framing, warnings);
-    const DefaultView view = choose_default_view(job.scene, framing.bounds, *chosen.caster.caster, aspect, fov_y_rad);
+    const DefaultView view =
+        choose_default_view({job.scene, job.topology, framing.bounds, *chosen.caster.caster}, aspect, fov_y_rad);
+    if (view.surroundings == Surroundings::inside)
+      warnings.push_back(
+          "the scene looks like a room, and the camera stands in it; --eye and --target place it elsewhere");
     chosen.surroundings = view.surroundings;
     chosen.course = view.orbit;
   }

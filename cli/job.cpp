@@ -47,7 +47,7 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
   Scene scene = load_scene(source, o.up_axis, pool, warnings, {job.most_bytes, progress, read_texels, o.linear_colors});
   const Framing framing = frame_scene(scene);
   if (o.ground) add_ground(scene, framing.bounds);
-  set_scene(job, std::move(scene), pool);
+  set_scene(job, std::move(scene), pool, warnings);
   require_room_for_run(job, source, lights, pool.size());
 
   const UpAxis up_axis = o.up_axis ? *o.up_axis : source.up_axis.value_or(UpAxis::y);

@@ -112,7 +112,7 @@ class Loader {
     set_materials();
     if (!any_) return;
     finish_triangles();
-    scene_.textures = std::make_shared<const Textures>(std::move(textures_));
+    scene_.textures = std::make_shared<Textures>(std::move(textures_));
   }
 
  private:

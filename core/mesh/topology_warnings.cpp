@@ -8,8 +8,6 @@
 namespace hybridrt {
 namespace {
 
-bool bends_light(const Material& material) { return material.transmissive() && material.ni != 1; }
-
 void warn_of_open_refraction(const Scene& scene, const Topology& topology, Warnings& warnings) {
   std::vector<bool> is_counted(topology.components.size());
   size_t triangles = 0, components = 0;
@@ -17,7 +15,7 @@ void warn_of_open_refraction(const Scene& scene, const Topology& topology, Warni
   for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
     const Material& material = scene.material_of(i);
     const uint32_t component = topology.component_of_triangle[i];
-    if (!bends_light(material) || topology.components[component].closed()) continue;
+    if (!material.bends_light() || topology.components[component].closed()) continue;
     if (!first) first = &material;
     ++triangles;
     if (!is_counted[component]) ++components;

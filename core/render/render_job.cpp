@@ -1,16 +1,18 @@
 #include "core/render/render_job.h"
 
 #include "core/base/timing.h"
+#include "core/mesh/inside_out.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/gl_renderer.h"
 #include "core/render/samples.h"
 
 namespace hybridrt {
 
-void set_scene(RenderJob& job, Scene scene, ThreadPool& pool) {
+void set_scene(RenderJob& job, Scene scene, ThreadPool& pool, Warnings& warnings) {
   job.scene = std::move(scene);
   job.facts = make_scene_facts(job.scene);
   job.topology = build_topology(job.scene, pool);
+  turn_inside_out_bodies(job.scene, job.topology, pool, warnings);
 }
 
 FrameRequest frame_request(const RenderJob& job, int frame) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "core/base/warnings.h"
 #include "core/gl/context.h"
 #include "core/gl/program.h"
 #include "core/render/frame.h"
@@ -29,8 +30,9 @@ struct RenderJob {
   gl::ShaderSources shaders;  ///< for the methods that use GL
 };
 
-/// Gives the job its scene and computes, once per run, what depends on it.
-void set_scene(RenderJob& job, Scene scene, ThreadPool& pool);
+/// Gives the job its scene and computes, once per run, what depends on it. Bodies that are inside out are turned, with
+/// a warning (inside_out.h).
+void set_scene(RenderJob& job, Scene scene, ThreadPool& pool, Warnings& warnings);
 
 /// Camera and lights of a frame.
 FrameRequest frame_request(const RenderJob& job, int frame);

@@ -37,6 +37,7 @@ struct Material {
 
   bool reflective() const { return reflect != vec3(0) || fresnel != Fresnel::none; }
   bool transmissive() const { return transmit != vec3(0); }
+  bool bends_light() const { return transmissive() && ni != 1; }
 };
 
 /// Fills `reflect`, `transmit`, `fresnel` (and drops `ks` where MTL says so) from the other members.

@@ -196,5 +196,25 @@ class FormsTest(FieldCase):
         self.told("nan_unreferenced/s_nan.stl", "4 facets with a corner that is NaN")
 
 
+class InsideOutTest(FieldCase):
+    def far_pixels(self, a, b):
+        return sum(abs(x - y) > 3 for r, s in zip(a, b) for x, y in zip(r, s))
+
+    def test_glass_inward(self):
+        right, turned = (self.told(f"glass_inward/{name}.obj", *says) for name, says in (
+            ("out", ()), ("in", ("1 closed bodies were wound inward and are turned outward",))))
+        self.assertEqual(self.far_pixels(right, turned), 0)
+
+    def test_inside_out_body(self):
+        flat = "32 triangles of zero area"
+        two, flipped = self.told("inside_out_body/two.obj", flat), self.told("inside_out_body/two_flip.obj", flat)
+        self.assertEqual(self.far_pixels(two, flipped), 0)
+        town = self.told("inside_out_body/town50_ok.obj", "1 closed bodies were wound inward")
+        self.assertEqual(self.far_pixels(town, self.told("inside_out_body/town75.obj", "6 closed bodies")), 0)
+        self.told("inside_out_body/boar.off", "1 closed bodies were wound inward")
+        report = self.report(os.path.join(FIELD, "inside_out_body", "boar.off"))
+        self.assertGreater(sum(x * x for x in report["frame"]["eye"]) ** .5, max(report["extent"]), "outside")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -13,7 +13,8 @@ namespace hybridrt {
 inline RenderJob orbit_job(Scene scene, int frames, int width_px = 160, int height_px = 120) {
   RenderJob job;
   ThreadPool pool(1);
-  set_scene(job, std::move(scene), pool);
+  Warnings warnings;
+  set_scene(job, std::move(scene), pool, warnings);
   job.settings.width_px = width_px;
   job.settings.height_px = height_px;
   job.settings.shadow_map_px = 1024;

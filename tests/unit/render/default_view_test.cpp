@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sstream>
 
+#include "core/mesh/inside_out.h"
 #include "core/render/default_light.h"
+#include "core/render/room.h"
 #include "core/scene/view.h"
 #include "core/trace/embree_caster.h"
 #include "tests/support/load_scene.h"
@@ -16,12 +19,16 @@ namespace {
 const char* const kCorners = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n";
 const char* const kFiveWallsInward = "f 1 2 3 4\nf 1 4 8 5\nf 2 6 7 3\nf 1 5 6 2\nf 4 3 7 8\n";  // open at z = 1
 const char* const kFrontWallInward = "f 5 8 7 6\n";
+const char* const kStool =
+    "v .3 -1 .3\nv .5 -1 .3\nv .4 -1 .5\nv .4 -.8 .4\nf 9 10 11\nf 9 12 10\nf 10 12 11\nf 11 12 9\n";
 
 DefaultView view_of(const std::string& argument) {
   ThreadPool pool(1);
   Warnings warnings;
-  const Scene scene = load_scene(argument, pool, warnings);
-  return choose_default_view(scene, scene.bounds, *make_embree_caster(scene, 1), 4.0 / 3, 0.8);
+  Scene scene = load_scene(argument, pool, warnings);
+  Topology topology = build_topology(scene, pool);
+  turn_inside_out_bodies(scene, topology, pool, warnings);
+  return choose_default_view({scene, topology, scene.bounds, *make_embree_caster(scene, 1)}, 4.0 / 3, 0.8);
 }
 
 DefaultView view_of_obj(const std::string& text) {
@@ -46,13 +53,85 @@ TEST(DefaultView, LooksIntoARoomFromItsOpenSide) {
 }
 
 TEST(DefaultView, StandsInAClosedRoomWithALightOfItsOwn) {
-  const DefaultView view = view_of_obj(std::string(kCorners) + kFiveWallsInward + kFrontWallInward);
+  const DefaultView view = view_of_obj(std::string(kCorners) + kFiveWallsInward + kFrontWallInward + kStool);
   EXPECT_EQ(view.surroundings, Surroundings::inside);
   const Camera camera = camera_on_orbit(view.orbit, 0.3);
   for (int axis = 0; axis < 3; ++axis) EXPECT_LT(std::abs(camera.eye_world[axis]), 1);
   const DirectionalLight light = default_light(view.surroundings, camera, vec3(0.15f));
   EXPECT_FALSE(light.casts_shadow);
   EXPECT_GT(glm::dot(light.toward, camera.eye_world - camera.target_world), 0) << "from behind the camera";
+}
+
+/// Boxes as an OBJ.
+struct Boxes {
+  std::ostringstream text;
+  int vertices = 0;
+
+  /// `reversed`: a bit for each of the sides that is wound inward.
+  Boxes& add(const vec3& lo, const vec3& hi, int reversed = 0) {
+    constexpr int kSides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    for (int i = 0; i < 8; ++i)
+      text << "v " << (i & 1 ? hi.x : lo.x) << ' ' << (i & 2 ? hi.y : lo.y) << ' ' << (i & 4 ? hi.z : lo.z) << '\n';
+    for (int side = 0; side < 6; ++side) {
+      text << 'f';
+      for (int k = 0; k < 4; ++k) text << ' ' << vertices + 1 + kSides[side][reversed >> side & 1 ? 3 - k : k];
+      text << '\n';
+    }
+    vertices += 8;
+    return *this;
+  }
+  Surroundings surroundings() const { return view_of_obj(text.str()).surroundings; }
+};
+constexpr int kAllSides = 63;
+
+TEST(DefaultView, StaysOutsideOfWhatIsOnlyInsideOut) {
+  EXPECT_EQ(Boxes().add(vec3(-1), vec3(1), kAllSides).surroundings(), Surroundings::outside) << "an empty box";
+  for (const int reversed : {kAllSides, 0b101111, 0b111001}) {
+    Boxes town;
+    for (int x = 0; x < 5; ++x)
+      for (int z = 0; z < 5; ++z) town.add({2 * x, 0, 2 * z}, {2 * x + 1, 1 + x % 3, 2 * z + 1}, reversed);
+    EXPECT_EQ(town.surroundings(), Surroundings::outside) << reversed;
+  }
+  EXPECT_EQ(Boxes().add(vec3(-1), vec3(1), kAllSides).add(vec3(-0.9f), vec3(0.9f)).surroundings(),
+            Surroundings::outside)
+      << "a mirrored hollow body";
+}
+
+TEST(DefaultView, StaysOutsideOfOpenPartsThatAreInsideOut) {
+  std::string parts;  // a body of balls that reach into each other, each with a hole
+  int vertices = 0;
+  for (const vec3 middle : {vec3(0), vec3(0, 1.4f, 0), vec3(1.2f, 0, 0), vec3(-1.2f, 0, 0)}) {
+    constexpr int kRings = 10, kSegments = 16;
+    std::ostringstream out;
+    for (int ring = 0; ring <= kRings; ++ring)
+      for (int segment = 0; segment < kSegments; ++segment) {
+        const double polar = 0.1 + (kPi - 0.1) * ring / kRings, azimuth = 2 * kPi * segment / kSegments;
+        out << "v " << middle.x + std::sin(polar) * std::cos(azimuth) << ' ' << middle.y + std::cos(polar) << ' '
+            << middle.z + std::sin(polar) * std::sin(azimuth) << '\n';
+      }
+    for (int ring = 0; ring < kRings; ++ring)
+      for (int segment = 0; segment < kSegments; ++segment) {
+        const int a = vertices + 1 + ring * kSegments + segment,
+                  b = vertices + 1 + ring * kSegments + (segment + 1) % kSegments;
+        out << "f " << a << ' ' << a + kSegments << ' ' << b + kSegments << ' ' << b << '\n';
+      }
+    vertices += (kRings + 1) * kSegments;
+    parts += out.str();
+  }
+  EXPECT_EQ(view_of_obj(parts).surroundings, Surroundings::outside);
+}
+
+TEST(DefaultView, StandsUnderASkyDomeWhateverIsInIt) {
+  for (const int reversed : {0, kAllSides})
+    EXPECT_EQ(Boxes().add({-1, -8, -1}, {1, -7, 1}, reversed).add(vec3(-10), vec3(10), kAllSides).surroundings(),
+              Surroundings::inside);
+}
+
+TEST(DefaultView, ARoomThatIsASmallPartOfTheSceneIsAThing) {
+  Boxes room;
+  room.add(vec3(-1), vec3(1), kAllSides).add({0, -1, 0}, {0.3f, -0.8f, 0.3f});
+  EXPECT_EQ(room.surroundings(), Surroundings::inside);
+  EXPECT_EQ(room.add({9, -1, 9}, {9.5f, 3, 9.5f}).surroundings(), Surroundings::outside);
 }
 
 TEST(DefaultView, SharedScenesAreWhatTheyAre) {
@@ -112,7 +191,8 @@ TEST(DefaultView, KnowsWhetherACameraStandsInAClosedRoom) {
   const TemporaryFolder folder;
   const auto inside = [&](const std::string& faces, const dvec3& eye) {
     const Scene scene = load_scene(folder.write("room.obj", kCorners + faces).string(), pool, warnings);
-    return is_in_closed_room(scene, *make_embree_caster(scene, 1), eye);
+    return is_in_closed_room({scene, build_topology(scene, pool), scene.bounds, *make_embree_caster(scene, 1)},
+                             vec3(eye));
   };
   const std::string walls = kFiveWallsInward, closed = walls + kFrontWallInward;
   EXPECT_TRUE(inside(closed, {0.5, 0, 0.3}));
