@@ -68,6 +68,20 @@ std::optional<CameraCourse> named_course(const RenderOptions& o, const SceneSour
   return still;
 }
 
+/// What a camera of the user's stands in: a closed room, where it carries the default light, or a solid.
+void look_at_surroundings(const RenderOptions& o, const SceneSource& source, const RenderJob& job, const Aabb& framed,
+                          ThreadPool& pool, ChosenCamera& chosen, Warnings& warnings) {
+  const Camera first = camera_at({chosen.course, job.motion.sequence}, job.motion.sequence.first);
+  const vec3 eye(first.eye_world - job.scene.origin_world);
+  if (!framed.holds(eye)) return;
+  chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
+  const World world{job.scene, job.topology, framed, *chosen.caster.caster};
+  if (is_in_solid(world, eye))
+    warnings.push_back("the camera is inside a solid body, whose inside is all it sees; check --eye and --up-axis");
+  else if (!gives_lights(o, source, chosen.course) && is_in_closed_room(world, eye))
+    chosen.surroundings = Surroundings::inside;
+}
+
 }  // namespace
 
 ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, const RenderJob& job,
@@ -78,14 +92,7 @@ ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, co
   ChosenCamera chosen;
   if (auto named = named_course(o, source, job, framing.bounds, up_axis, aspect, fov_y_rad, warnings)) {
     chosen.course = std::move(*named);
-    const Camera first = camera_at({chosen.course, job.motion.sequence}, job.motion.sequence.first);
-    if (!gives_lights(o, source, chosen.course) &&
-        framing.bounds.holds(vec3(first.eye_world - job.scene.origin_world))) {
-      chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
-      if (is_in_closed_room({job.scene, job.topology, framing.bounds, *chosen.caster.caster},
-                            vec3(first.eye_world - job.scene.origin_world)))
-        chosen.surroundings = Surroundings::inside;
-    }
+    look_at_surroundings(o, source, job, framing.bounds, pool, chosen, warnings);
   } else {
     chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
     hint_at_up_axis(o, source, framing.bounds, warnings);

@@ -75,6 +75,15 @@ bool inside_shows_more(const World& world, const vec3& spot, const Seen& outside
          is_room(world, inside, outside);
 }
 
+bool is_in_solid(const World& world, const vec3& eye) {
+  const Seen seen = look_around(world, eye, sphere_directions(500));
+  const auto is_body = [&](uint32_t triangle) {
+    return world.topology.component_of(triangle).winding == Winding::outward;
+  };
+  const auto on_bodies = std::count_if(seen.hit_triangles.begin(), seen.hit_triangles.end(), is_body);
+  return static_cast<double>(on_bodies) >= kClosed * seen.rays && seen.back_faces >= kClosed * seen.rays;
+}
+
 bool is_in_closed_room(const World& world, const vec3& eye) {
   const Seen seen = look_around(world, eye, sphere_directions(500));
   return seen.hits >= kClosed * seen.rays && seen.back_share() < 0.5;

@@ -18,4 +18,7 @@ bool inside_shows_more(const World& world, const vec3& spot, const Seen& outside
 /// closed room, which no light from outside enters.
 bool is_in_closed_room(const World& world, const vec3& eye);
 
+/// Whether nothing but the insides of closed bodies is seen from `eye` (scene space): the camera is in a solid.
+bool is_in_solid(const World& world, const vec3& eye);
+
 }  // namespace hybridrt

@@ -11,7 +11,7 @@ MTL = "newmtl glass\nKs .1 .1 .1\nNi 1.5\nillum 7\nTf 1 1 1\nnewmtl floor\nKd .8
 
 class Mesh:
     def __init__(self):
-        self.text, self.vertices, self.corners = "mtllib m.mtl\n", 0, 0
+        self.text, self.vertices, self.corners = "", 0, 0
 
     def face(self, corners, inward):
         order = corners[::-1] if inward else corners
@@ -51,7 +51,7 @@ class InsideOutTest(SceneCase):
         self.write("m.mtl", MTL)
 
     def save(self, name, mesh):
-        self.write(name, mesh.text)
+        self.write(name, ("mtllib m.mtl\n" if "usemtl" in mesh.text else "") + mesh.text)
         return name
 
     def far_pixels(self, a, b):

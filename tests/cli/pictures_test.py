@@ -109,7 +109,8 @@ class NothingToSeeTest(CliTestCase):
 
 class FirstPictureTest(CliTestCase):
     # Five walls of a room seen from their front, and the one that closes it.
-    ROOM = BOX.split("f ")[0] + "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n"
+    ROOM = BOX.split("f ")[0] + "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n" \
+           "v 0.4 0.1 0.1\nv 0.6 0.1 0.1\nv 0.5 0.2 0.1\nf 9 10 11\n"
 
     def test_the_carried_light_stays_with_a_camera_of_ones_own(self):
         self.write("room.obj", self.ROOM)
@@ -119,6 +120,17 @@ class FirstPictureTest(CliTestCase):
             done = self.succeed("render", "room.obj", *SMALL, "-q", "-o", "x.png", *camera)
             self.assertEqual(done.stderr, "", "some light arrives")
             self.assertGreater(min(Png.read(self.path("x.png")).pixel(48, 36)), 150)
+
+    def test_a_camera_inside_a_solid_is_told(self):
+        self.write("box.obj", BOX)
+        told = "the camera is inside a solid body"
+        inside = ("--eye", "0.5,0.5,0.6", "--target", "0.5,0.4,0")
+        for method in METHODS:
+            done = self.succeed("render", "box.obj", *SMALL, "-q", *inside, "--frames", "2", "--method", method)
+            self.assertEqual(done.stderr.count(told), 1)
+        self.assertEqual(self.succeed("render", "box.obj", *SMALL, "-q", "--eye", "2,2,2").stderr, "")
+        self.write("room.obj", self.ROOM)
+        self.assertNotIn(told, self.succeed("render", "room.obj", *SMALL, "-q", *inside).stderr)
 
     def test_z_up_is_suggested(self):
         lines = BOX.splitlines()
