@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/help_formatter.h"
 #include "cli/parse_message.h"
+#include "cli/shell_files.h"
 #include "cli/standard_streams.h"
 #include "cli/version.h"
 #include "core/base/error.h"
@@ -32,8 +33,13 @@ ExitCode fail(ExitCode code, std::string_view message) {
   return code;
 }
 
-/// hybridrt help [COMMAND]
+/// hybridrt help [COMMAND | --man | --bash-completion]
 ExitCode help_of(const CLI::App& app, const std::string& command) {
+  if (command == "--man" || command == "--bash-completion") {
+    fmt::print("{}", command == "--man" ? man_page(app) : bash_completion(app));
+    flush_output();
+    return ExitCode::ok;
+  }
   const CLI::App* of = command.empty() ? &app : nullptr;
   for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; }))
     if (known->get_name() == command) of = known;

@@ -1,6 +1,9 @@
 """hybridrt doctor, scene and --version through the real binary."""
 
 import json
+import re
+import shutil
+import subprocess
 import unittest
 
 from cli_test_case import SMALL, CliTestCase
@@ -21,6 +24,37 @@ class HelpTest(CliTestCase):
                 self.assertIn(len(examples), (2, 3), command)
                 for example in examples:
                     self.assertTrue(example.startswith("  hybridrt " + " ".join(command)), example)
+
+
+class ShellFilesTest(CliTestCase):
+    def options_of(self, *command):
+        return set(re.findall(r"--[a-z][a-z-]+", self.succeed(*command, "--help").stdout))
+
+    def test_man_page_has_every_option(self):
+        page = self.succeed("help", "--man").stdout
+        for command in (("render",), ("compare",), ("golden", "check"), ("inspect",)):
+            for option in self.options_of(*command):
+                self.assertIn(option.replace("-", "\\-"), page)
+        if shutil.which("groff"):
+            done = subprocess.run(["groff", "-man", "-ww", "-z"], input=page, capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def completed(self, *words):
+        script = self.succeed("help", "--bash-completion").stdout
+        line = " ".join(f"'{word}'" for word in words)
+        ask = f"COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _hybridrt; printf '%s\\n' \"${{COMPREPLY[@]}}\""
+        done = subprocess.run(["bash", "-c", script + ask], capture_output=True, text=True, cwd=self.path("."))
+        self.assertEqual(done.stderr, "")
+        return done.stdout.split()
+
+    def test_bash_completes(self):
+        self.write("model.obj", "")
+        self.assertEqual(self.completed("hybridrt", "ren"), ["render"])
+        self.assertIn("--shadows", self.completed("hybridrt", "render", "model.obj", "--sha"))
+        self.assertEqual(self.completed("hybridrt", "golden", "che"), ["check"])
+        self.assertIn("--list", self.completed("hybridrt", "golden", "check", "--l"))
+        self.assertEqual(self.completed("hybridrt", "render", "mod"), ["model.obj"])
+        self.assertTrue(self.options_of("render") - {"--help"} <= set(self.completed("hybridrt", "render", "--")))
 
 
 class DoctorTest(CliTestCase):

@@ -47,6 +47,13 @@ class InstallTest(unittest.TestCase):
         self.assertTrue(os.path.exists(os.path.join(share, "golden", "golden.json")), "the golden list is not installed")
         self.assertIn("as expected", self.run_installed("golden", "check"))
 
+    def test_man_page_and_completion(self):
+        with open(os.path.join(self.prefix, "share", "man", "man1", "hybridrt.1"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), self.run_installed("help", "--man"))
+        with open(os.path.join(self.prefix, "share", "bash-completion", "completions", "hybridrt"),
+                  encoding="utf-8") as file:
+            self.assertEqual(file.read(), self.run_installed("help", "--bash-completion"))
+
     def test_knows_no_path_of_the_source(self):
         with open(self.binary, "rb") as file:
             content = file.read()
