@@ -72,9 +72,12 @@ std::string cases_of(const CLI::App& app, const std::string& path) {
 
 std::string man_page(const CLI::App& app) {
   return fmt::format(
-      ".TH HYBRIDRT 1 \"\" \"hybridrt {}\" \"User Commands\"\n.SH NAME\nhybridrt \\- headless hybrid CPU\\-GPU renderer of "
-      "frame sequences\n.SH SYNOPSIS\n.B hybridrt\n.I COMMAND\n[options]\n.SH OPTIONS\n{}.SH COMMANDS\n{}.SH EXIT STATUS\n"
-      "0 ok, 2 usage, 3 scene, camera or other input, 4 no usable GL or device, 5 output could not be written,\n6 images "
+      ".TH HYBRIDRT 1 \"\" \"hybridrt {}\" \"User Commands\"\n.SH NAME\nhybridrt \\- headless hybrid CPU\\-GPU "
+      "renderer of "
+      "frame sequences\n.SH SYNOPSIS\n.B hybridrt\n.I COMMAND\n[options]\n.SH OPTIONS\n{}.SH COMMANDS\n{}.SH EXIT "
+      "STATUS\n"
+      "0 ok, 2 usage, 3 scene, camera or other input, 4 no usable GL or device, 5 output could not be written,\n6 "
+      "images "
       "differ, 70 internal error, 130 or 143 stopped by a signal.\n",
       kVersion, options_as_roff(app), commands_as_roff(app, "hybridrt"));
 }
