@@ -118,6 +118,8 @@ Hit<Real> traverse(const KdTree& tree, const Ray<Real>& ray) {
   }
 }
 
+inline OrderedTriangle ordered(const KdTriangle& t) { return {t.a, t.b, t.c, t.second, t.third, t.turned}; }
+
 /// One triangle after the other: the reference for every other leaf test.
 template <typename Real>
 class ScalarLeaf {
@@ -133,7 +135,7 @@ class ScalarLeaf {
     for (uint32_t i = first; i < first + count; ++i) {
       const KdTriangle& triangle = triangles_[ids_[i]];
       TriangleHit<Real> hit;
-      if (!intersect_triangle(ray_, triangle.v0, triangle.v1, triangle.v2, hit)) continue;
+      if (!intersect_triangle(ray_, ordered(triangle), hit)) continue;
       if (holes_ && is_hole(*holes_, triangle.id, hit.u, hit.v)) continue;
       nearest.offer(hit, triangle.id);
       if (kAny && nearest.found()) return;

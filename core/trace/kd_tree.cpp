@@ -118,8 +118,9 @@ void gather_triangles(const Scene& scene, size_t count, KdTree& tree) {
     uint32_t& record = record_of[triangle];
     if (record == kNoTriangle) {
       record = static_cast<uint32_t>(tree.triangles.size());
-      tree.triangles.push_back(
-          {scene.vertex(triangle, 0), triangle, scene.vertex(triangle, 1), 0, scene.vertex(triangle, 2), 0});
+      const OrderedTriangle t =
+          in_order(scene.vertex(triangle, 0), scene.vertex(triangle, 1), scene.vertex(triangle, 2));
+      tree.triangles.push_back({t.a, triangle, t.b, t.second, t.third, t.turned, t.c, 0});
     }
     triangle = record;
   }

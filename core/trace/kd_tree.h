@@ -44,15 +44,16 @@ struct KdNode {
 };
 static_assert(sizeof(KdNode) == 8);
 
-/// The original corners, each padded to 16 bytes so that a vector load takes a whole one; `id` is the
+/// The corners as in_order() sorts them, each padded to 16 bytes so that a vector load takes a whole one; `id` is the
 /// triangle's index in the scene.
 struct alignas(16) KdTriangle {
-  vec3 v0;
+  vec3 a;
   uint32_t id;
-  vec3 v1;
-  uint32_t unused1;
-  vec3 v2;
-  uint32_t unused2;
+  vec3 b;
+  uint8_t second, third;  ///< as in OrderedTriangle
+  bool turned;
+  vec3 c;
+  uint32_t unused;
 };
 static_assert(sizeof(KdTriangle) == 48);
 

@@ -70,9 +70,9 @@ class FourLeaf {
 
   template <bool kAny>
   void test_four(const KdTriangle* const (&four)[4], NearestHit<float>& nearest) const {
-    const Corners a = transpose(load(four[0]->v0), load(four[1]->v0), load(four[2]->v0), load(four[3]->v0));
-    const Corners b = transpose(load(four[0]->v1), load(four[1]->v1), load(four[2]->v1), load(four[3]->v1));
-    const Corners c = transpose(load(four[0]->v2), load(four[1]->v2), load(four[2]->v2), load(four[3]->v2));
+    const Corners a = transpose(load(four[0]->a), load(four[1]->a), load(four[2]->a), load(four[3]->a));
+    const Corners b = transpose(load(four[0]->b), load(four[1]->b), load(four[2]->b), load(four[3]->b));
+    const Corners c = transpose(load(four[0]->c), load(four[1]->c), load(four[2]->c), load(four[3]->c));
     const auto ax = hn::Sub(a.x, hn::Mul(sx_, a.z)), ay = hn::Sub(a.y, hn::Mul(sy_, a.z));
     const auto bx = hn::Sub(b.x, hn::Mul(sx_, b.z)), by = hn::Sub(b.y, hn::Mul(sy_, b.z));
     const auto cx = hn::Sub(c.x, hn::Mul(sx_, c.z)), cy = hn::Sub(c.y, hn::Mul(sy_, c.z));
@@ -94,8 +94,8 @@ class FourLeaf {
     const auto in_float = hn::And(off_edges, in_range);
 
     const auto per_det = hn::Div(hn::Set(kLanes, 1.0f), det);
-    const auto u = hn::Mul(wb, per_det), v = hn::Mul(wc, per_det);
-    const auto distance = hn::Add(hn::Add(hn::Mul(hn::Mul(wa, per_det), a.z), hn::Mul(u, b.z)), hn::Mul(v, c.z));
+    const auto w = hn::Mul(wa, per_det), u = hn::Mul(wb, per_det), v = hn::Mul(wc, per_det);
+    const auto distance = hn::Add(hn::Add(hn::Mul(w, a.z), hn::Mul(u, b.z)), hn::Mul(v, c.z));
     const auto t = hn::Mul(distance, sz_);
     const auto in_reach = hn::And(hn::Gt(t, hn::Set(kLanes, nearest.t_min)), hn::Le(t, hn::Set(kLanes, nearest.t)));
 
@@ -103,16 +103,17 @@ class FourLeaf {
     const auto hit = hn::AndNot(outside, hn::And(in_float, in_reach));
     if (hn::AllFalse(kLanes, hn::Or(hit, in_double))) return;
 
-    alignas(16) float ts[4], us[4], vs[4];
-    hn::Store(t, kLanes, ts), hn::Store(u, kLanes, us), hn::Store(v, kLanes, vs);
+    alignas(16) float ts[4], weights[3][4], areas[4];
+    hn::Store(t, kLanes, ts), hn::Store(det, kLanes, areas);
+    hn::Store(w, kLanes, weights[0]), hn::Store(u, kLanes, weights[1]), hn::Store(v, kLanes, weights[2]);
     uint8_t hit_bits[8] = {}, double_bits[8] = {};
     hn::StoreMaskBits(kLanes, hit, hit_bits), hn::StoreMaskBits(kLanes, in_double, double_bits);
     for (int lane = 0; lane < 4; ++lane) {
-      TriangleHit<float> found{ts[lane], us[lane], vs[lane]};
       const KdTriangle& triangle = *four[lane];
-      const bool accept =
-          (hit_bits[0] >> lane & 1) ||
-          ((double_bits[0] >> lane & 1) && intersect_triangle(ray_, triangle.v0, triangle.v1, triangle.v2, found));
+      TriangleHit<float> found{ts[lane], weights[triangle.second][lane], weights[triangle.third][lane],
+                               met_from_front(ray_.sz, areas[lane], triangle.turned)};
+      const bool accept = (hit_bits[0] >> lane & 1) ||
+                          ((double_bits[0] >> lane & 1) && intersect_triangle(ray_, ordered(triangle), found));
       if (!accept || (holes_ && is_hole(*holes_, triangle.id, found.u, found.v))) continue;
       nearest.offer(found, triangle.id);
     }

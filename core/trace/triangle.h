@@ -36,27 +36,59 @@ ShearedRay<Real> shear_ray(const Vec3<Real>& origin, const Vec3<Real>& dir) {
   return {origin, dir[kx] / dir[kz], dir[ky] / dir[kz], Real(1) / dir[kz], kx, ky, kz};
 }
 
-/// As in Hit, `u` and `v` are the weights of the second and third vertex.
+/// As in Hit, `u` and `v` are the weights of the second and third vertex. `from_front`: the ray meets the side from
+/// which the vertices go counterclockwise.
 template <typename Real>
 struct TriangleHit {
   Real t, u, v;
+  bool from_front = true;
 };
+
+/// The corners of a triangle in an order that depends on their positions alone (and -0 is 0). Triangles with the same
+/// corners are then met at the same `t`, to the last bit, whichever corner they begin with and whichever way they go.
+struct OrderedTriangle {
+  vec3 a, b, c;
+  uint8_t second, third;  ///< which of them, 0 to 2, are the second and the third vertex
+  bool turned;            ///< they go the other way round than the vertices
+};
+
+inline bool is_before(const vec3& p, const vec3& q) {
+  return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+}
+
+inline OrderedTriangle in_order(const vec3& v0, const vec3& v1, const vec3& v2) {
+  const int before_0 = is_before(v1, v0) + is_before(v2, v0);  // how many corners come first
+  const int before_1 = !is_before(v1, v0) + is_before(v2, v1);
+  const int before_2 = 3 - before_0 - before_1;
+  const vec3* sorted[3];
+  sorted[before_0] = &v0, sorted[before_1] = &v1, sorted[before_2] = &v2;
+  return {*sorted[0],
+          *sorted[1],
+          *sorted[2],
+          static_cast<uint8_t>(before_1),
+          static_cast<uint8_t>(before_2),
+          (before_0 + 1) % 3 != before_1};
+}
 
 /// Outside this range the float edge functions have overflowed or lost digits to underflow, and the test continues in
 /// double.
 inline constexpr float kSmallestFloatDet = 1e-36f, kLargestFloatDet = 1e36f;
+
+/// Which side a ray meets, from the sign of twice the area of the sheared corners, seen along the axis.
+inline bool met_from_front(double sz, double twice_area, bool turned) {
+  return ((twice_area > 0) == (sz > 0)) != turned;
+}
 
 /// Whether the ray's line meets the triangle, edges and vertices included, from either side. `t` may have any sign: the
 /// caller compares it with its range (a NaN fails every comparison). The float version decides the side of each edge
 /// exactly for the sheared (rounded) points. Zero-area triangles must have been left out (is_degenerate): rounding can
 /// let a ray hit one.
 template <typename Real>
-bool intersect_triangle(const ShearedRay<Real>& ray, const vec3& v0, const vec3& v1, const vec3& v2,
-                        TriangleHit<Real>& hit) {
+bool intersect_triangle(const ShearedRay<Real>& ray, const OrderedTriangle& triangle, TriangleHit<Real>& hit) {
   const auto& o = ray.origin;  // arrays, as glm's vectors index by branches
-  const Real a[3] = {v0.x - o.x, v0.y - o.y, v0.z - o.z};
-  const Real b[3] = {v1.x - o.x, v1.y - o.y, v1.z - o.z};
-  const Real c[3] = {v2.x - o.x, v2.y - o.y, v2.z - o.z};
+  const Real a[3] = {triangle.a.x - o.x, triangle.a.y - o.y, triangle.a.z - o.z};
+  const Real b[3] = {triangle.b.x - o.x, triangle.b.y - o.y, triangle.b.z - o.z};
+  const Real c[3] = {triangle.c.x - o.x, triangle.c.y - o.y, triangle.c.z - o.z};
   const Real ax = a[ray.kx] - ray.sx * a[ray.kz], ay = a[ray.ky] - ray.sy * a[ray.kz];
   const Real bx = b[ray.kx] - ray.sx * b[ray.kz], by = b[ray.ky] - ray.sy * b[ray.kz];
   const Real cx = c[ray.kx] - ray.sx * c[ray.kz], cy = c[ray.ky] - ray.sy * c[ray.kz];
@@ -78,9 +110,9 @@ bool intersect_triangle(const ShearedRay<Real>& ray, const vec3& v0, const vec3&
       if ((da < 0 || db < 0 || dc < 0) && (da > 0 || db > 0 || dc > 0)) return false;
       const double sum = da + db + dc;
       if (sum == 0) return false;  // seen exactly edge-on
-      hit.t = float((da * a[ray.kz] + db * b[ray.kz] + dc * c[ray.kz]) / sum * ray.sz);
-      hit.u = float(db / sum);
-      hit.v = float(dc / sum);
+      const float weights[3] = {float(da / sum), float(db / sum), float(dc / sum)};
+      hit = {float((da * a[ray.kz] + db * b[ray.kz] + dc * c[ray.kz]) / sum * ray.sz), weights[triangle.second],
+             weights[triangle.third], met_from_front(ray.sz, sum, triangle.turned)};
       return true;
     }
   } else {
@@ -88,10 +120,16 @@ bool intersect_triangle(const ShearedRay<Real>& ray, const vec3& v0, const vec3&
   }
   // Weights first, distances second: their product with the edge functions could overflow.
   const Real per_det = Real(1) / det;
-  hit.u = wb * per_det;
-  hit.v = wc * per_det;
-  hit.t = (wa * per_det * a[ray.kz] + hit.u * b[ray.kz] + hit.v * c[ray.kz]) * ray.sz;
+  const Real weights[3] = {wa * per_det, wb * per_det, wc * per_det};
+  hit = {(weights[0] * a[ray.kz] + weights[1] * b[ray.kz] + weights[2] * c[ray.kz]) * ray.sz, weights[triangle.second],
+         weights[triangle.third], met_from_front(ray.sz, det, triangle.turned)};
   return true;
+}
+
+template <typename Real>
+bool intersect_triangle(const ShearedRay<Real>& ray, const vec3& v0, const vec3& v1, const vec3& v2,
+                        TriangleHit<Real>& hit) {
+  return intersect_triangle(ray, in_order(v0, v1, v2), hit);
 }
 
 /// Exactly zero area, up to double precision: differences of floats and their products are exact in double
@@ -112,24 +150,28 @@ bool is_traceable(const Vec3<Real>& origin, const Vec3<Real>& dir) {
   return sum == 0 && std::isfinite(Real(1) / largest);
 }
 
-/// The nearest hit so far of one ray. Of several hits at exactly the same `t` the lowest triangle index
-/// wins, so that the answer does not depend on the order of the tests.
+/// The nearest hit so far of one ray. Of several hits at exactly the same `t` the one whose front the ray meets wins
+/// (two-sided models give either side a triangle and a material of its own), then the lowest triangle index, so that
+/// the answer does not depend on the order of the tests.
 template <typename Real>
 struct NearestHit {
-  Real t_min, t;  ///< accepted range: (t_min, t), and t itself for triangles below `tie_below`
+  Real t_min, t;  ///< accepted range: (t_min, t), and t itself for triangles that win a tie
   Real u = 0, v = 0;
   uint32_t triangle = kNoTriangle;
-  uint32_t tie_below = 0;
+  bool from_front = true;
 
   NearestHit(Real t_min_, Real t_max) : t_min(t_min_), t(t_max) {}
 
-  bool accepts(Real t_new, uint32_t triangle_new) const {
-    return t_new > t_min && (t_new < t || (t_new == t && triangle_new < tie_below));
+  bool accepts(const TriangleHit<Real>& hit, uint32_t triangle_new) const {
+    return hit.t > t_min && (hit.t < t || (hit.t == t && found() && wins_tie(hit.from_front, triangle_new)));
   }
   void offer(const TriangleHit<Real>& hit, uint32_t triangle_new) {
-    if (!accepts(hit.t, triangle_new)) return;
+    if (!accepts(hit, triangle_new)) return;
     t = hit.t, u = hit.u, v = hit.v;
-    triangle = tie_below = triangle_new;
+    triangle = triangle_new, from_front = hit.from_front;
+  }
+  bool wins_tie(bool from_front_new, uint32_t triangle_new) const {
+    return from_front_new != from_front ? from_front_new : triangle_new < triangle;
   }
   bool found() const { return triangle != kNoTriangle; }
   Hit<Real> result() const { return found() ? Hit<Real>{t, u, v, triangle} : Hit<Real>{}; }

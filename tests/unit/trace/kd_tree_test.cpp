@@ -93,18 +93,19 @@ TEST_P(KdTreeBuild, HoldsEveryHittableTriangleWhereItIs) {
   for_each_leaf(tree, 0, tree.bounds, [&](const KdNode& leaf, const Aabb& cell) {
     for (uint32_t i = 0; i < leaf.count(); ++i) {
       const KdTriangle& triangle = tree.triangles[tree.leaf_triangles[leaf.first + i]];
-      for (const vec3& corner : {triangle.v0, triangle.v1, triangle.v2})
+      for (const vec3& corner : {triangle.a, triangle.b, triangle.c})
         if (glm::all(glm::greaterThanEqual(corner, cell.lo)) && glm::all(glm::lessThanEqual(corner, cell.hi)))
           reach[tree.leaf_triangles[leaf.first + i]].grow(corner);
     }
   });
   for (size_t i = 0; i < tree.triangles.size(); ++i) {
     const KdTriangle& triangle = tree.triangles[i];
-    EXPECT_EQ(triangle.v0, scene.vertex(triangle.id, 0));
-    EXPECT_EQ(triangle.v1, scene.vertex(triangle.id, 1));
-    EXPECT_EQ(triangle.v2, scene.vertex(triangle.id, 2));
+    const vec3* const corners[] = {&triangle.a, &triangle.b, &triangle.c};
+    EXPECT_EQ(*corners[3 - triangle.second - triangle.third], scene.vertex(triangle.id, 0));
+    EXPECT_EQ(*corners[triangle.second], scene.vertex(triangle.id, 1));
+    EXPECT_EQ(*corners[triangle.third], scene.vertex(triangle.id, 2));
     Aabb box;
-    for (const vec3& corner : {triangle.v0, triangle.v1, triangle.v2}) box.grow(corner);
+    for (const vec3& corner : {triangle.a, triangle.b, triangle.c}) box.grow(corner);
     EXPECT_EQ(reach[i].lo, box.lo);
     EXPECT_EQ(reach[i].hi, box.hi);
   }
