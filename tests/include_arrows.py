@@ -23,10 +23,11 @@ ARROWS = {
     "core/load": ["core/procedural", "core/mesh", "core/scene", "core/image", "core/base"],
     "core/passes": ["core/scene", "core/base"],
     "core/trace": ["core/mesh", "core/scene", "core/image", "core/base"],
-    "core/passes_cpu": ["core/passes", "core/trace", "core/scene", "core/base"],
+    "core/raster": ["core/trace", "core/mesh", "core/scene", "core/image", "core/base"],
+    "core/passes_cpu": ["core/passes", "core/raster", "core/trace", "core/scene", "core/base"],
     "core/gl": ["core/base"],
     "core/passes_gl": ["core/passes", "core/gl", "core/scene", "core/base"],
-    "core/render": ["core/passes_gl", "core/passes_cpu", "core/passes", "core/trace", "core/gl", "core/mesh", "core/scene",
+    "core/render": ["core/passes_gl", "core/passes_cpu", "core/passes", "core/raster", "core/trace", "core/gl", "core/mesh", "core/scene",
                     "core/image", "core/base"],
     "core/golden": ["core/image", "core/base"],
 }
@@ -46,7 +47,7 @@ FENCES = {
     "OpenMesh/": ["core/load/", "core/mesh/"],
     "CLI/": ["cli/"],
     "embree": ["core/trace/", "cli/version.cpp", "tests/bench/"],
-    "hwy/": ["core/trace/", "tests/"],
+    "hwy/": ["core/trace/", "core/raster/", "tests/"],
 }
 # The same fences for the linker: CMake target, and the CMakeLists.txt that may name it.
 LINK_FENCES = {
@@ -54,7 +55,7 @@ LINK_FENCES = {
     "OpenMesh": ["core/load/", "core/mesh/"],
     "CLI11": ["cli/"],
     "embree": ["core/trace/", "cli/", "tests/", ""],
-    "hwy::hwy": ["core/trace/", "tests/"],
+    "hwy::hwy": ["core/trace/", "core/raster/", "tests/"],
 }
 
 SOURCE = (".cpp", ".h", ".glsl", ".vert", ".frag", ".comp")

@@ -1,0 +1,65 @@
+// Compiled once for every vector instruction set that includes it, hence the toggle instead of a #pragma once.
+#if defined(HYBRIDRT_RASTER_LANES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HYBRIDRT_RASTER_LANES_H
+#undef HYBRIDRT_RASTER_LANES_H
+#else
+#define HYBRIDRT_RASTER_LANES_H
+#endif
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hybridrt {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The rasteriser's vectors: as many floats as the instruction set holds, at most 16, and as many integers. Their
+// arithmetic is written with operators; multiplications and additions are never fused.
+using FloatLanes = hn::CappedTag<float, 16>;
+using IntLanes = hn::RebindToSigned<FloatLanes>;
+constexpr FloatLanes kFloats;
+constexpr IntLanes kInts;
+using Floats = hn::Vec<FloatLanes>;
+using Ints = hn::Vec<IntLanes>;
+using Mask = hn::Mask<FloatLanes>;
+constexpr int kLanes = static_cast<int>(hn::MaxLanes(kFloats));
+
+HWY_INLINE Floats all(float x) { return hn::Set(kFloats, x); }
+HWY_INLINE Ints all_int(int x) { return hn::Set(kInts, x); }
+HWY_INLINE Floats load(const float* p) { return hn::LoadU(kFloats, p); }
+HWY_INLINE void store(float* p, Floats v) { hn::StoreU(v, kFloats, p); }
+HWY_INLINE Ints load_int(const uint32_t* p) { return hn::LoadU(kInts, reinterpret_cast<const int32_t*>(p)); }
+HWY_INLINE void store_int(uint32_t* p, Ints v) { hn::StoreU(v, kInts, reinterpret_cast<int32_t*>(p)); }
+HWY_INLINE void store_int(int32_t* p, Ints v) { hn::StoreU(v, kInts, p); }
+
+/// 0, 1, 2, ...
+HWY_INLINE Floats lane_numbers() { return hn::Iota(kFloats, 0); }
+
+HWY_INLINE Mask first_lanes(int count) {
+  return hn::FirstN(kFloats, static_cast<size_t>(std::clamp(count, 0, kLanes)));
+}
+
+/// Bit i is lane i.
+HWY_INLINE uint32_t bits_of(Mask mask) {
+  uint8_t bytes[8] = {};
+  hn::StoreMaskBits(kFloats, mask, bytes);
+  uint32_t bits;
+  std::memcpy(&bits, bytes, sizeof(bits));
+  return bits;
+}
+
+/// The lanes that `mask` chooses, moved to the front.
+HWY_INLINE Floats chosen(Mask mask, Floats v) { return hn::Compress(v, mask); }
+HWY_INLINE Ints chosen(Mask mask, Ints v) { return hn::Compress(v, hn::RebindMask(kInts, mask)); }
+
+HWY_INLINE float smallest(Floats v) { return hn::GetLane(hn::MinOfLanes(kFloats, v)); }
+HWY_INLINE float largest(Floats v) { return hn::GetLane(hn::MaxOfLanes(kFloats, v)); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hybridrt
+HWY_AFTER_NAMESPACE();
+
+#endif

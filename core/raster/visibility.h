@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/base/parallel.h"
+#include "core/raster/bins.h"
+#include "core/raster/clusters.h"
+#include "core/scene/view.h"
+
+namespace hybridrt {
+
+// Which triangle each pixel sees, by software rasterisation, exactly: the triangle that the double-precision ray test
+// (intersect_triangle, is_hole, NearestHit) finds nearest along the ray through the pixel's sample. Single precision
+// decides what its error bounds allow; each sample is a certain miss, a certain hit whose interval of depth lies before
+// or behind the pixel's, or is queued and settled by that same double-precision test. Nothing is clipped, snapped or
+// culled by its facing, and the result does not depend on the order of the work. docs/method.md explains it.
+
+/// Finds the clusters that may be seen and sorts them into the picture's tiles. `scene` is the one that the clusters
+/// were made of.
+FrameBins bin_clusters(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool);
+
+/// The same, in memory that is kept from frame to frame.
+void bin_clusters(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool, FrameBins& bins);
+
+/// Memory of one thread for the tile at hand.
+class TileRaster {
+ public:
+  TileRaster();
+  ~TileRaster();
+  TileRaster(TileRaster&&) noexcept;
+
+  /// Draws the tile `tile` (0 to bins.tile_count() - 1) into depth(). The arguments are only read.
+  void draw(const Scene& scene, const Clusters& clusters, const FrameBins& bins, int tile);
+
+  /// The tile that was drawn last; nothing is pending in it.
+  const DepthTile& depth() const;
+
+ private:
+  struct Memory;
+  std::unique_ptr<Memory> memory_;
+};
+
+/// All tiles of a picture: `ids` has one element per pixel, rows from the top.
+void rasterize_ids(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool,
+                   std::span<uint32_t> ids);
+
+}  // namespace hybridrt

@@ -1,0 +1,120 @@
+// Asks the rasteriser for the triangle that each pixel sees, and compares with a ray tracer in double precision.
+//   visibility_proof [--quick] [--threads=N] [--views=N] [--target=NAME] [--seed=N] [SCENE...]
+// Each scene is seen from random places in, on and around it, through lenses of 0.02 to 179 degrees; made-up scenes of
+// slivers, huge, doubled and coplanar triangles are seen too. --target: an instruction set, as Highway names it (AVX2).
+// Exits with 1 if one pixel differs.
+
+#include <cstdlib>
+#include <hwy/targets.h>
+#include <string_view>
+
+#include "core/base/timing.h"
+#include "tests/bench/ray_sets.h"
+#include "tests/support/raster_views.h"
+
+namespace hybridrt {
+namespace {
+
+struct Options {
+  bool quick = false;
+  int threads = allowed_processors(), views = 0;
+  uint32_t seed = 1;
+  std::vector<std::string> scenes;
+};
+
+struct Tally {
+  size_t pixels = 0, hits = 0, wrong = 0;
+};
+
+/// A view of the usual size in place of the test's small ones.
+View enlarged(View view, bool quick) {
+  if (view.width_px < 64 || view.height_px < 48) return view;
+  const int width = quick ? 192 : 1024, height = quick ? 144 : 768;
+  view.frame_width_px = view.width_px = width, view.frame_height_px = view.height_px = height;
+  view.x_px = view.y_px = 0;
+  return view;
+}
+
+Tally prove(const Scene& scene, const Options& options, ThreadPool& pool) {
+  const KdTree tree = build_kd_tree(scene, pool);
+  const std::unique_ptr<RayCaster<double>> caster = make_reference_caster(tree);
+  const Clusters clusters = make_clusters(scene, pool);
+  Random random(options.seed);
+  Tally tally;
+  for (int i = 0; i < options.views; ++i) {
+    const View view = enlarged(random_view(scene, random), options.quick);
+    const std::vector<uint32_t> truth = reference_ids(*caster, view, pool);
+    const std::vector<uint32_t> ids = rasterized_ids(scene, clusters, view, pool);
+    tally.pixels += ids.size();
+    for (size_t pixel = 0; pixel < ids.size(); ++pixel) {
+      tally.hits += truth[pixel] != kNoTriangle;
+      if (ids[pixel] == truth[pixel]) continue;
+      if (++tally.wrong <= 10)
+        printf("  wrong: view %d, pixel %zu of %d x %d: %d, not %d\n", i, pixel, view.width_px, view.height_px,
+               static_cast<int>(ids[pixel]), static_cast<int>(truth[pixel]));
+    }
+  }
+  return tally;
+}
+
+void print(const char* scene, const Tally& tally) {
+  printf("%-44s %12zu %12zu %6zu\n", scene, tally.pixels, tally.hits, tally.wrong);
+  fflush(stdout);
+}
+
+int64_t target_named(std::string_view name) {
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets())
+    if (name == hwy::TargetName(target)) return target;
+  fprintf(stderr, "visibility_proof: no instruction set %s here\n", std::string(name).c_str());
+  std::exit(2);
+}
+
+}  // namespace
+}  // namespace hybridrt
+
+int main(int argc, char** argv) {
+  using namespace hybridrt;
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    if (argument == "--quick")
+      options.quick = true;
+    else if (argument.starts_with("--threads="))
+      options.threads = std::max(1, std::atoi(argv[i] + 10));
+    else if (argument.starts_with("--views="))
+      options.views = std::max(1, std::atoi(argv[i] + 8));
+    else if (argument.starts_with("--seed="))
+      options.seed = static_cast<uint32_t>(std::atoi(argv[i] + 7));
+    else if (argument.starts_with("--target="))
+      hwy::SetSupportedTargetsForTest(target_named(argument.substr(9)));
+    else if (argument.starts_with("--"))
+      return fprintf(stderr, "visibility_proof: unknown option %s\n", argv[i]), 2;
+    else
+      options.scenes.emplace_back(argument);
+  }
+  if (options.views == 0) options.views = options.quick ? 8 : 24;
+
+  ThreadPool pool(options.threads);
+  Tally total;
+  const auto add = [&](const std::string& name, const Scene& scene) {
+    const Tally tally = prove(scene, options, pool);
+    print(name.c_str(), tally);
+    total.pixels += tally.pixels, total.hits += tally.hits, total.wrong += tally.wrong;
+  };
+  printf("%-44s %12s %12s %6s\n", "scene", "pixels", "hits", "wrong");
+  const int many = options.quick ? 500 : 40000;
+  add("slivers", slivers(1, many));
+  add("sizes from 0.01 to 10^6", huge_and_small(2));
+  add("soup", random_soup(3, 5 * many, 0.03f));
+  add("soup at (10^6, -2 10^6, 3 10^5)", transformed(random_soup(4, many, 0.1f), 100, vec3(1e6f, -2e6f, 3e5f)));
+  add("one plane", coplanar_field(5, 800));
+  add("doubled, turned", doubled_faces(6));
+  add("triples", with_duplicates(7));
+  if (options.scenes.empty())
+    for (const char* name : {"chess", "thin", "spheres"})
+      options.scenes.push_back(std::string("scene:") + name +
+                               (options.quick ? ",triangles=20000" : ",triangles=500000"));
+  for (const std::string& scene : options.scenes) add(scene, load_bench_scene(scene, pool).scene);
+  print("all", total);
+  return total.wrong > 0;
+}
