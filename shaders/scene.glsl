@@ -3,6 +3,7 @@
 #define Vec2 vec2
 #define Vec3 vec3
 #define HRT_FN
+#define HRT_CHOOSE(condition, a, b) ((condition) ? (a) : (b))
 #include "shared.h"
 #include "surface.glsl"
 

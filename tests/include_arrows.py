@@ -47,7 +47,7 @@ FENCES = {
     "OpenMesh/": ["core/load/", "core/mesh/"],
     "CLI/": ["cli/"],
     "embree": ["core/trace/", "cli/version.cpp", "tests/bench/"],
-    "hwy/": ["core/trace/", "core/raster/", "tests/"],
+    "hwy/": ["core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],
 }
 # The same fences for the linker: CMake target, and the CMakeLists.txt that may name it.
 LINK_FENCES = {
@@ -55,7 +55,7 @@ LINK_FENCES = {
     "OpenMesh": ["core/load/", "core/mesh/"],
     "CLI11": ["cli/"],
     "embree": ["core/trace/", "cli/", "tests/", ""],
-    "hwy::hwy": ["core/trace/", "core/raster/", "tests/"],
+    "hwy::hwy": ["core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],
 }
 
 SOURCE = (".cpp", ".h", ".glsl", ".vert", ".frag", ".comp")

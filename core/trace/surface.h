@@ -4,6 +4,7 @@
 
 // shaders/surface.glsl compiled as C++, in single and in double precision. Argument types select which.
 #define HRT_FN inline
+#define HRT_CHOOSE(condition, a, b) ((condition) ? (a) : (b))
 namespace hybridrt::surface_single {
 using namespace glm;
 using Real = float;
@@ -18,6 +19,7 @@ using Vec3 = glm::dvec3;
 #include "shaders/surface.glsl"
 }  // namespace hybridrt::surface_double
 #undef HRT_FN
+#undef HRT_CHOOSE
 
 namespace hybridrt {
 using surface_double::ambient_at;

@@ -33,6 +33,7 @@ class GlslAgainstCpp : public GlTest {
     gl::ShaderSources sources = gl::embedded_shaders();
     sources["test.comp"] =
         "#version 450 core\n#define Real float\n#define Vec2 vec2\n#define Vec3 vec3\n#define HRT_FN\n"
+        "#define HRT_CHOOSE(condition, a, b) ((condition) ? (a) : (b))\n"
         "#include \"surface.glsl\"\n#include \"shadow_warp.glsl\"\n"
         "layout(local_size_x = 8, local_size_y = 8) in;\n"
         "layout(binding = 0) uniform samplerBuffer inputs;\n"
