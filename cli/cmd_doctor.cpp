@@ -31,7 +31,8 @@ ExitCode doctor(bool as_json) {
   json report = {{"version", kVersion},           {"commit", kCommit},
                  {"compiler", kCompiler},         {"libraries", library_versions()},
                  {"processor", processor_name()}, {"threads", allowed_processors()},
-                 {"devices", json::array()},      {"unusable", json::array()}};
+                 {"gpu", gl::lists_hardware()},   {"devices", json::array()},
+                 {"unusable", json::array()}};
   for (const gl::ContextInfo& info : usable) report["devices"].push_back(describe(info));
   for (const gl::DeviceInfo& device : failed)
     report["unusable"].push_back({{"id", device.id}, {"problem", device.problem}});
@@ -46,9 +47,12 @@ ExitCode doctor(bool as_json) {
                  info.device, info.binding, info.renderer, info.version, info.max_texture_px);
     for (const gl::DeviceInfo& device : failed) fmt::print("- {:<12} unusable: {}\n", device.id, device.problem);
     if (!usable.empty())
-      fmt::print("\n* is used unless --gl or --device says otherwise\n");
+      fmt::print("\n{}\n",
+                 gl::lists_hardware()
+                     ? "* is used unless --gl or --device says otherwise"
+                     : "no GPU: all passes run on the CPU; --gl egl or osmesa, --device and shadow maps use *");
     else
-      fmt::print("\nno usable OpenGL 4.5: --method raytrace and reference work without\n");
+      fmt::print("\nno usable OpenGL 4.5: all but shadow maps (--shadows map and blur) works without\n");
   }
   return usable.empty() ? ExitCode::device : ExitCode::ok;
 }

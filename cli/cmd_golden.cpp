@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/job.h"
+#include "cli/option_values.h"
 #include "cli/parse_message.h"
 #include "cli/standard_streams.h"
 #include "core/base/output_file.h"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr double kDifferenceAmplification = 20;
 
 struct GoldenOptions {
-  std::string list, output = "out/golden", junit;
+  std::string list, output = "out/golden", junit, gl, device;
   std::vector<std::string> names;
 };
 
@@ -41,8 +42,14 @@ struct CaseJob {
   RenderJob job;
 };
 
+/// Where a case's passes run, if `options` say so.
+void choose_gl(const GoldenOptions& options, RenderOptions& to) {
+  if (!options.gl.empty()) to.gl_use = parse_name("--gl", kGlUses, options.gl);
+  if (!options.device.empty()) to.gl.device = options.device;
+}
+
 /// The job for a case's only frame. Errors in its options or scene are the list's fault: Error(input).
-CaseJob make_case_job(const GoldenCase& golden) {
+CaseJob make_case_job(const GoldenCase& golden, const GoldenOptions& options_given) {
   RenderOptions command_line;
   CLI::App parser;
   add_render_options(parser, command_line);
@@ -51,7 +58,8 @@ CaseJob make_case_job(const GoldenCase& golden) {
   try {
     parser.parse(arguments);
     const SceneSource source = parse_scene_source(command_line.scene);
-    const RenderOptions options = with_scene_settings(command_line, source);
+    RenderOptions options = with_scene_settings(command_line, source);
+    choose_gl(options_given, options);
     CaseJob made{std::make_unique<ThreadPool>(thread_count(options)), {}};
     Warnings warnings;
     made.job = make_render_job(options, source, *made.pool, warnings);
@@ -79,11 +87,12 @@ void write_picture(const fs::path& path, const Image& picture) {
 }
 
 /// Throws if the case cannot be rendered at all; errors in its expected picture are a result.
-GoldenResult check(const GoldenList& list, const GoldenCase& golden, const fs::path& output) {
+GoldenResult check(const GoldenList& list, const GoldenCase& golden, const GoldenOptions& options) {
+  const fs::path output = options.output;
   GoldenResult result;
   result.golden = golden;
   const Stopwatch stopwatch;
-  const CaseJob job = make_case_job(golden);
+  const CaseJob job = make_case_job(golden, options);
   try {
     const fs::path actual = output / (golden.name + ".png");
     write_picture(actual, picture_of(job));
@@ -126,7 +135,7 @@ ExitCode check_all(const GoldenOptions& options) {
   std::vector<GoldenResult> results;
   size_t failed = 0;
   for (const GoldenCase& golden : list.cases) {
-    results.push_back(check(list, golden, options.output));
+    results.push_back(check(list, golden, options));
     const GoldenResult& result = results.back();
     failed += !result.passed();
     fmt::print("{}  {:<24} {:5.1f} s  {}\n", result.passed() ? "ok    " : "FAILED", golden.name, result.seconds,
@@ -143,7 +152,7 @@ ExitCode check_all(const GoldenOptions& options) {
 ExitCode update_all(const GoldenOptions& options) {
   const GoldenList list = chosen_cases(options);
   for (const GoldenCase& golden : list.cases) {
-    write_picture(list.expected(golden), picture_of(make_case_job(golden)));
+    write_picture(list.expected(golden), picture_of(make_case_job(golden, options)));
     fmt::print("wrote {}\n", list.expected(golden).string());
   }
   return ExitCode::ok;
@@ -164,6 +173,9 @@ void add_golden_command(CLI::App& app, Command& chosen) {
   const auto add = [&](const char* name, const char* what, ExitCode (*action)(const GoldenOptions&)) {
     CLI::App* command = golden->add_subcommand(name, what);
     command->add_option("names", options->names, "Cases (default: all)")->type_name("NAME");
+    command->add_option("--gl", options->gl, "Where passes run, as for render (default: as each case says)")
+        ->type_name("WHERE");
+    command->add_option("--device", options->device, "GL device, as 'hybridrt doctor' lists them")->type_name("ID");
     command->add_option("--list", options->list, "List of cases (default: the project's own)")->type_name("FILE");
     command->callback([options, action, &chosen] {
       chosen = [options, action] {

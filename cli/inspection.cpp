@@ -77,6 +77,8 @@ json frame_json(const Inspection& in) {
           {"height", s.height_px},
           {"method", name_of(s.method)},
           {"shadows", name_of(s.shadows)},
+          {"passes", uses_gl(s) ? "gl" : "cpu"},
+          {"passes_reason", in.job.forms_reason},
           {"eye", array_of(camera.eye_world)},
           {"target", array_of(camera.target_world)},
           {"fov_y_deg", camera.fov_y_rad * 180 / kPi},

@@ -152,6 +152,9 @@ std::string frame_text(const Inspection& in) {
     out += fmt::format("  {:<22}{}, colour {}{}\n", "toward the light", point(light.toward), color(light.color),
                        light.casts_shadow ? "" : ", casts no shadow");
   if (in.plan.lights.empty()) out += fmt::format("  {:<22}none: ambient light and Ke only\n", "lights");
+  if (!uses_gl(s))
+    out += fmt::format("  {:<22}on the CPU{}\n", "all passes",
+                       in.job.forms_reason.empty() ? "" : fmt::format(" ({})", in.job.forms_reason));
   for (const StepNote& note : in.steps)
     out += fmt::format("  {:<22}{:<12}{}\n", note.step, name_of(note.runs), note.why);
   return out;

@@ -2,6 +2,7 @@
 
 #include "cli/camera_options.h"
 #include "cli/light_options.h"
+#include "cli/pass_forms.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/image_io/read_image.h"
@@ -38,7 +39,8 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
   job.settings.background = o.background.value_or(source.background.value_or(job.settings.background));
   job.frames = parse_frame_spec(o.frames);
   job.motion.sequence = make_sequence(o, job.frames);
-  job.gl = o.gl;
+  const ChosenForms forms = choose_forms(o, job.settings);
+  job.settings.forms = forms.forms, job.gl = forms.gl, job.forms_reason = forms.reason;
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
   job.most_bytes = o.most_bytes.value_or(allowed_memory());
 

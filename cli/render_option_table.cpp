@@ -7,8 +7,6 @@
 namespace hybridrt::cli {
 namespace {
 
-constexpr Named<gl::Binding> kBindings[] = {
-    {"auto", gl::Binding::any}, {"egl", gl::Binding::egl}, {"osmesa", gl::Binding::osmesa}};
 enum class LightFollows { camera };
 constexpr Named<LightFollows> kLightFollows[] = {{"camera", LightFollows::camera}};
 enum class MeshColors { srgb, linear };
@@ -139,9 +137,12 @@ std::vector<RenderOption> machine() {
        [](Options& o, Text t) { o.most_bytes = parse_bytes("--max-memory", t); }},
       number("--frames-in-flight", "N", group, "Frames that GPU and CPU work on at once (1: pass after pass)",
              &RenderSettings::frames_in_flight, 1, 16),
-      {"--gl", "BINDING", group,
-       fmt::format("{} (default {})", names_in(kBindings), name_in(kBindings, gl::ContextRequest().binding)),
-       [](Options& o, Text t) { o.gl.binding = parse_name("--gl", kBindings, t); }},
+      {"--gl", "WHERE", group,
+       fmt::format(
+           "{}: draw passes by OpenGL, also a software one, or compute them on the CPU (default auto: OpenGL on "
+           "a GPU if there is one, else off)",
+           names_in(kGlUses)),
+       [](Options& o, Text t) { o.gl_use = parse_name("--gl", kGlUses, t); }},
       {"--device", "ID", group, "GL device, as 'hybridrt doctor' lists them",
        [](Options& o, Text t) { o.gl.device = t; }},
       {"--require-hardware", "", group, "Refuse software renderers",

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/named.h"
 #include "core/gl/context.h"
 #include "core/load/scene_source.h"
 #include "core/render/frame_spec.h"
@@ -17,6 +18,11 @@ class App;
 }
 
 namespace hybridrt::cli {
+
+/// Where the passes that the paper draws on a GPU run. automatic: on one if there is one, else on the CPU.
+enum class GlUse { automatic, egl, osmesa, off };
+inline constexpr Named<GlUse> kGlUses[] = {
+    {"auto", GlUse::automatic}, {"egl", GlUse::egl}, {"osmesa", GlUse::osmesa}, {"off", GlUse::off}};
 
 /// The options of a render, with their defaults. Points and directions are in the axes of the scene's files.
 struct RenderOptions {
@@ -35,6 +41,7 @@ struct RenderOptions {
   std::optional<double> fov_y_rad;     ///< default: the camera's own
   std::optional<int> threads;          ///< default: all allowed processors
   std::optional<uint64_t> most_bytes;  ///< memory limit; default: what the machine and the cgroup have
+  GlUse gl_use = GlUse::automatic;
   gl::ContextRequest gl;
   std::string shaders;  ///< folder; empty: the built-in ones
 

@@ -86,6 +86,9 @@ std::string summary_table(const RenderJob& job, const RunTotals& totals) {
   out += fmt::format("{:<26} {:>12}\n", "shadow, in reflections", rays(s.shadow_rays - s.primary_shadow_rays));
   out += fmt::format("{:<26} {:>12}\n", "reflection", rays(s.reflection_rays));
   out += fmt::format("{:<26} {:>12}\n\n", "refraction", rays(s.refraction_rays));
+  if (rasterised && !uses_gl(job.settings))
+    out += fmt::format("all passes on the CPU{}\n",
+                       job.forms_reason.empty() ? "" : fmt::format(" ({})", job.forms_reason));
   out += fmt::format("{} frames, {:.2f} frames/s\n", totals.frames, totals.frames_per_second());
   return out;
 }
@@ -117,6 +120,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
                                  {"renderer", facts.gl->renderer},
                                  {"version", facts.gl->version}}
                           : json(nullptr);
+  report["passes"] = uses_gl(s) ? json{{"form", "gl"}} : json{{"form", "cpu"}, {"why", job.forms_reason}};
   report["processor"] = processor_name();
   report["threads"] = threads;
   report["accel"] = facts.accel.empty() ? json(nullptr) : json(facts.accel);

@@ -70,6 +70,8 @@ std::unique_ptr<Context> open_context(const ContextRequest& request) {
               tried);
 }
 
+bool lists_hardware() { return lists_egl_hardware(); }
+
 std::vector<ContextInfo> probe_devices(std::vector<DeviceInfo>& failed) {
   std::vector<ContextInfo> usable;
   for (DeviceInfo device : candidates({})) {

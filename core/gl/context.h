@@ -53,6 +53,9 @@ void limit_software_threads(int threads);
 /// Throws Error(device) that says what was tried and how each failed.
 std::unique_ptr<Context> open_context(const ContextRequest& request);
 
+/// Whether EGL lists a device that is not a software renderer. Opens none, and loads no software GL.
+bool lists_hardware();
+
 /// Opens and closes a context on every device; for `doctor`.
 std::vector<ContextInfo> probe_devices(std::vector<DeviceInfo>& failed);
 

@@ -7,6 +7,7 @@
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <algorithm>
 
 #include "core/gl/context_backends.h"
 #include "core/gl/extension_list.h"
@@ -159,6 +160,14 @@ std::vector<DeviceInfo> list_egl_devices(std::string& problem) try {
 } catch (const Error& no_library) {
   problem = no_library.what();
   return {};
+}
+
+bool lists_egl_hardware() try {
+  const Egl egl;
+  const std::vector<EGLDeviceEXT> devices = egl.devices();
+  return std::any_of(devices.begin(), devices.end(), [&](EGLDeviceEXT device) { return !egl.is_software(device); });
+} catch (const Error&) {  // no libEGL
+  return false;
 }
 
 std::unique_ptr<Context> open_egl(const std::string& device) { return std::make_unique<EglContext>(device); }

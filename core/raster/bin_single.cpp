@@ -30,7 +30,8 @@ bool is_outside(const CameraTriangle& t, const Screen& screen) {
   const double right = (screen.width_px - 0.5 - screen.middle_x) / screen.scale_x;
   const double bottom = (screen.middle_y - screen.height_px + 0.5) / screen.scale_y;
   const double top = (screen.middle_y + 0.5) / screen.scale_y;
-  const double rounding = 1e-12 * t.reach * (1 + std::max({std::abs(left), std::abs(right), std::abs(bottom), std::abs(top)}));
+  const double rounding =
+      1e-12 * t.reach * (1 + std::max({std::abs(left), std::abs(right), std::abs(bottom), std::abs(top)}));
   const auto all_over = [&](const auto& value) {
     return value(0) > rounding && value(1) > rounding && value(2) > rounding;
   };
@@ -42,8 +43,8 @@ bool is_outside(const CameraTriangle& t, const Screen& screen) {
 
 /// The pixels that the triangle may touch, and its nearest depth; nothing if there are none.
 std::optional<BinItem> place_of(const CameraTriangle& t, const Screen& screen) {
-  BinItem item{kAnyDepth, 0, 0, 0, 0, static_cast<uint16_t>(screen.width_px - 1),
-               static_cast<uint16_t>(screen.height_px - 1)};
+  BinItem item{
+      kAnyDepth, 0, 0, 0, 0, static_cast<uint16_t>(screen.width_px - 1), static_cast<uint16_t>(screen.height_px - 1)};
   const double nearest = std::min({t.z[0], t.z[1], t.z[2]});
   if (nearest <= 1e-6 * t.reach) return item;  // it reaches behind the eye, or nearly
   double x0 = 1e30, y0 = 1e30, x1 = -1e30, y1 = -1e30;

@@ -11,9 +11,9 @@ namespace hybridrt {
 
 /// Something to be drawn in a tile: a cluster, or a single triangle by its homogeneous edge functions.
 struct BinItem {
-  float nearest;       ///< an upper bound of its unit / distance
-  uint32_t index;      ///< of the cluster; of the triangle in `single` of the worker's bins
-  int32_t worker;      ///< -1: a cluster
+  float nearest;            ///< an upper bound of its unit / distance
+  uint32_t index;           ///< of the cluster; of the triangle in `single` of the worker's bins
+  int32_t worker;           ///< -1: a cluster
   uint16_t x0, y0, x1, y1;  ///< pixels of the picture that it may touch, inclusive
 };
 

@@ -25,14 +25,15 @@ struct VertexError {
 /// Draws one cluster into one tile.
 ///
 /// Vertices. With o a vertex's offset from the centre c, d = c - eye, Z = d.forward + o.forward, and A = scale right -
-/// (x(c) - middle) forward / ..., the vertex falls at x(c) + (A.o) / Z: numerator and quotient are of the cluster's size,
-/// not the screen's, and that is what makes float enough. docs/method.md derives how far off it may be:
+/// (x(c) - middle) forward / ..., the vertex falls at x(c) + (A.o) / Z: numerator and quotient are of the cluster's
+/// size, not the screen's, and that is what makes float enough. docs/method.md derives how far off it may be:
 ///   Z           rho = 8u (Zc + r) / Zmin, relative, r the cluster's radius and u = 2^-24
 ///   x, y        u (R (8.5 + 8.8 (Zc + r) / Zmin) + 3) pixels, R = |A| r / Zmin its radius in pixels, and what double
 ///               precision adds to the centre
-/// Edge functions, over a box of width + height + 2 = S pixels: error = S (2.1 delta + 5u S), delta that of the vertices;
-/// a triangle with less than four times that as twice its area goes the homogeneous way. Depth is linear on the screen:
-/// error_depth = 8 range error / |twice area| + 8 (rho + 2u) largest. None of it counts on fused operations.
+/// Edge functions, over a box of width + height + 2 = S pixels: error = S (2.1 delta + 5u S), delta that of the
+/// vertices; a triangle with less than four times that as twice its area goes the homogeneous way. Depth is linear on
+/// the screen: error_depth = 8 range error / |twice area| + 8 (rho + 2u) largest. None of it counts on fused
+/// operations.
 class ClusterDraw {
  public:
   ClusterDraw(const Scene& scene, const Clusters& clusters, const Screen& screen, ClusterScratch& scratch,
@@ -88,8 +89,9 @@ class ClusterDraw {
     const double ratio = (z + radius) / nearest;
     const double radius_px = std::sqrt(std::max(glm::dot(across, across), glm::dot(down, down))) * radius / nearest;
     const double slant = glm::length(d) / z;
-    const double of_double = 0x1p-47 * slant * (screen_.scale_x + screen_.scale_y + std::abs(from_middle_x) +
-                                                std::abs(from_middle_y) + screen_.width_px + screen_.height_px);
+    const double of_double = 0x1p-47 * slant *
+                             (screen_.scale_x + screen_.scale_y + std::abs(from_middle_x) + std::abs(from_middle_y) +
+                              screen_.width_px + screen_.height_px);
     error_.pixels = static_cast<float>((kU * (radius_px * (8.5 + 8.8 * ratio) + 3) + of_double) * 1.01);
     error_.depth_relative = static_cast<float>(kU * (8 * ratio + 2));
 
@@ -120,8 +122,7 @@ class ClusterDraw {
       const Floats x1 = hn::Min(hn::Floor(hn::Max(hn::Max(x[0], x[1]), x[2]) + error), right);
       const Floats y0 = hn::Max(hn::Ceil(hn::Min(hn::Min(y[0], y[1]), y[2]) - error), top);
       const Floats y1 = hn::Min(hn::Floor(hn::Max(hn::Max(y[0], y[1]), y[2]) + error), bottom);
-      const Mask kept =
-          hn::And(hn::And(hn::Le(x0, x1), hn::Le(y0, y1)), first_lanes(cluster_->triangle_count - first));
+      const Mask kept = hn::And(hn::And(hn::Le(x0, x1), hn::Le(y0, y1)), first_lanes(cluster_->triangle_count - first));
       const uint32_t bits = bits_of(kept);
       if (bits == 0) continue;
       for (int k = 0; k < 3; ++k)
@@ -179,8 +180,8 @@ class ClusterDraw {
     t.depth_error = all(8) * range * (t.error * per_area) + all(8 * error_.depth_relative) * most;
     t.nearest = most * all(1 + 4 * error_.depth_relative + 1e-6f);
 
-    const Mask small = hn::And(hn::Lt(t.box_x1 - t.box_x0, all(kSmall_px - 0.5f)),
-                               hn::Lt(t.box_y1 - t.box_y0, all(kSmall_px - 0.5f)));
+    const Mask small =
+        hn::And(hn::Lt(t.box_x1 - t.box_x0, all(kSmall_px - 0.5f)), hn::Lt(t.box_y1 - t.box_y0, all(kSmall_px - 0.5f)));
     if (scratch_.sample_count > ClusterScratch::kFullAt) flush();
     sample_small(t, hn::AndNot(sliver, hn::And(live, small)));
     sample_others(t, bits_of(hn::AndNot(sliver, hn::AndNot(small, live))));
@@ -190,8 +191,10 @@ class ClusterDraw {
   /// Puts the samples of `sure` behind the others that wait. `hi` etc.: one a lane.
   void keep_samples(Mask sure, Floats depth, Floats error, Ints place, Ints number) {
     ClusterScratch& s = scratch_;
-    store(s.lo + s.sample_count, chosen(sure, depth - error)), store(s.hi + s.sample_count, chosen(sure, depth + error));
-    store_int(s.place + s.sample_count, chosen(sure, place)), store_int(s.number + s.sample_count, chosen(sure, number));
+    store(s.lo + s.sample_count, chosen(sure, depth - error)),
+        store(s.hi + s.sample_count, chosen(sure, depth + error));
+    store_int(s.place + s.sample_count, chosen(sure, place)),
+        store_int(s.number + s.sample_count, chosen(sure, number));
     s.sample_count += __builtin_popcount(bits_of(sure));
   }
 
@@ -278,8 +281,8 @@ class ClusterDraw {
       const Spans s = spans_of_rows(t, dy);
       const Floats row_depth = all(t.depth_dy) * dy + all(t.depth);
       Floats x = s.may_first;
-      Ints place = (hn::Iota(kInts, 0) + all_int(y)) * all_int(kTileStride) +
-                   (hn::ConvertTo(kInts, x) + all_int(t.box.x0));
+      Ints place =
+          (hn::Iota(kInts, 0) + all_int(y)) * all_int(kTileStride) + (hn::ConvertTo(kInts, x) + all_int(t.box.x0));
       for (Mask may = hn::Le(x, s.may_last); !hn::AllFalse(kFloats, may); may = hn::Le(x, s.may_last)) {
         const Mask sure = hn::And(may, hn::And(hn::Le(s.sure_first, x), hn::Le(x, s.sure_last)));
         const Floats depth = all(t.depth_dx) * x + row_depth, error = all(t.depth_error);

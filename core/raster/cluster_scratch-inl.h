@@ -33,8 +33,8 @@ struct ClusterScratch {
   /// Samples that are certainly hit and wait to be compared with the tile, one by one: two triangles of a vector may
   /// hold the same pixel.
   static constexpr int kFullAt = 2048;
-  static constexpr int kSampleRoom =
-      kFullAt + kLongestVector * kSmall_px * kSmall_px + kNarrow_px * (kTileHeight_px + kLongestVector) + kLongestVector;
+  static constexpr int kSampleRoom = kFullAt + kLongestVector * kSmall_px * kSmall_px +
+                                     kNarrow_px * (kTileHeight_px + kLongestVector) + kLongestVector;
   HWY_ALIGN float lo[kSampleRoom], hi[kSampleRoom];
   HWY_ALIGN uint32_t place[kSampleRoom], number[kSampleRoom];
   int sample_count = 0;

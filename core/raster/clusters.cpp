@@ -32,7 +32,8 @@ std::vector<Item> make_items(const Scene& scene, bool with_holes) {
   items.reserve(scene.triangle_count());
   for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
     const vec3 a = scene.vertex(i, 0), b = scene.vertex(i, 1), c = scene.vertex(i, 2);
-    if (scene.has_holes(i) == with_holes && !is_degenerate(a, b, c)) items.push_back({a / 3.0f + b / 3.0f + c / 3.0f, i});
+    if (scene.has_holes(i) == with_holes && !is_degenerate(a, b, c))
+      items.push_back({a / 3.0f + b / 3.0f + c / 3.0f, i});
   }
   return items;
 }
@@ -49,7 +50,8 @@ size_t split(std::vector<Item>& items, const Range& range) {
   const auto first = items.begin() + static_cast<std::ptrdiff_t>(range.begin);
   std::nth_element(first, first + static_cast<std::ptrdiff_t>(left), first + static_cast<std::ptrdiff_t>(range.size()),
                    [axis](const Item& p, const Item& q) {
-                     return p.center[axis] != q.center[axis] ? p.center[axis] < q.center[axis] : p.triangle < q.triangle;
+                     return p.center[axis] != q.center[axis] ? p.center[axis] < q.center[axis]
+                                                             : p.triangle < q.triangle;
                    });
   return range.begin + left;
 }
@@ -173,7 +175,8 @@ Clusters make_clusters(const Scene& scene, ThreadPool& pool) {
     for (const Clusters& part : parts) append(all, part);
   }
   for (int k = 0; k < 3; ++k)
-    all.center[k].resize(all.clusters.size() + kLongestVector, 0), all.extent[k].resize(all.clusters.size() + kLongestVector, 0);
+    all.center[k].resize(all.clusters.size() + kLongestVector, 0),
+        all.extent[k].resize(all.clusters.size() + kLongestVector, 0);
   all.radius.resize(all.clusters.size() + kLongestVector, 0);
   return all;
 }

@@ -22,7 +22,7 @@ struct Cluster {
   uint32_t first_word;   ///< in Clusters::words
   uint8_t vertex_count;  ///< at most kClusterVertices
   uint8_t triangle_count;
-  bool has_holes;        ///< all of its triangles have holes; else none has
+  bool has_holes;  ///< all of its triangles have holes; else none has
 };
 
 /// Triangles in groups that lie close together, and whose vertices are kept relative to the group's centre: such small

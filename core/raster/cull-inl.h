@@ -92,7 +92,8 @@ class ClusterCuller {
     const auto lower = [&](Floats v) { return v * hn::IfThenElse(hn::Lt(v, all(0)), per_near, per_far); };
     const auto upper = [&](Floats v) { return v * hn::IfThenElse(hn::Lt(v, all(0)), per_far, per_near); };
     const Floats scale_x = all(static_cast<float>(screen_.scale_x)), scale_y = all(static_cast<float>(screen_.scale_y));
-    const Floats middle_x = all(static_cast<float>(screen_.middle_x)), middle_y = all(static_cast<float>(screen_.middle_y));
+    const Floats middle_x = all(static_cast<float>(screen_.middle_x)),
+                 middle_y = all(static_cast<float>(screen_.middle_y));
     const auto slack = [&](Floats v) { return hn::Abs(v) * all(4e-6f) + all(pixel_error_); };
     const Floats raw_x0 = lower(x - half_x) * scale_x + middle_x, raw_x1 = upper(x + half_x) * scale_x + middle_x;
     const Floats raw_y0 = middle_y - upper(y + half_y) * scale_y, raw_y1 = middle_y - lower(y - half_y) * scale_y;

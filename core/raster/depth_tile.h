@@ -27,10 +27,11 @@ struct alignas(64) DepthTile {
   float lo[kTilePlaces], hi[kTilePlaces];
   uint32_t triangle[kTilePlaces];
 
-  float block_lo[kBlocksX * kBlocksY];     ///< at most the smallest `lo` of the block
+  float block_lo[kBlocksX * kBlocksY];    ///< at most the smallest `lo` of the block
   bool block_stale[kBlocksX * kBlocksY];  ///< whether it may have grown since
 
-  int x_px = 0, y_px = 0, width_px = 0, height_px = 0;  ///< the tile's place in the picture; less than full at its edges
+  int x_px = 0, y_px = 0, width_px = 0,
+      height_px = 0;  ///< the tile's place in the picture; less than full at its edges
   std::vector<PendingSample> pending;
 };
 

@@ -6,15 +6,15 @@
 
 namespace hybridrt {
 
-/// A triangle ready to be sampled in a rectangle of a tile. Coordinates count from the rectangle's first pixel. At (x, y)
-/// edge function i is edge[i] + x dx[i] + y dy[i], in error by at most error[i]: positive inside, in any unit. What lies
-/// within the error of an edge is decided later, in double precision.
+/// A triangle ready to be sampled in a rectangle of a tile. Coordinates count from the rectangle's first pixel. At (x,
+/// y) edge function i is edge[i] + x dx[i] + y dy[i], in error by at most error[i]: positive inside, in any unit. What
+/// lies within the error of an edge is decided later, in double precision.
 struct EdgeTriangle {
   float edge[3], dx[3], dy[3], error[3];
-  float x_per_dx[3];            ///< -1 / dx
+  float x_per_dx[3];                             ///< -1 / dx
   float depth, depth_dx, depth_dy, depth_error;  ///< unit / distance
-  float nearest;                ///< an upper bound of unit / distance anywhere on it
-  PixelBox box;                 ///< pixels of the tile, inclusive
+  float nearest;                                 ///< an upper bound of unit / distance anywhere on it
+  PixelBox box;                                  ///< pixels of the tile, inclusive
   uint32_t triangle;
   bool has_holes;
 };

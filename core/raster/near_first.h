@@ -19,14 +19,14 @@ class DepthOrder {
   std::span<const uint32_t> nearest_first(std::span<const BinItem> items) {
     keys_.resize(items.size());
     // The bits of positive floats are in their order.
-    for (size_t i = 0; i < items.size(); ++i)
-      keys_[i] = uint64_t{~std::bit_cast<uint32_t>(items[i].nearest)} << 32 | i;
+    for (size_t i = 0; i < items.size(); ++i) keys_[i] = uint64_t{~std::bit_cast<uint32_t>(items[i].nearest)} << 32 | i;
     if (keys_.size() < kFew)
       std::sort(keys_.begin(), keys_.end());
     else
       sort_by_digit(kLowDigit), sort_by_digit(kHighDigit);
     indices_.resize(keys_.size());
-    std::transform(keys_.begin(), keys_.end(), indices_.begin(), [](uint64_t key) { return static_cast<uint32_t>(key); });
+    std::transform(keys_.begin(), keys_.end(), indices_.begin(),
+                   [](uint64_t key) { return static_cast<uint32_t>(key); });
     return indices_;
   }
 

@@ -9,13 +9,13 @@ namespace hybridrt {
 struct Screen {
   int width_px = 0, height_px = 0;
   dvec3 eye{0}, right{0}, up{0}, forward{0};
-  double scale_x = 1, scale_y = 1;  ///< pixels per tangent; x grows along `right`, y against `up`
-  double middle_x = 0, middle_y = 0;  ///< where `forward` points
-  int x_px = 0, y_px = 0;             ///< the picture's first pixel in the frame
+  double scale_x = 1, scale_y = 1;             ///< pixels per tangent; x grows along `right`, y against `up`
+  double middle_x = 0, middle_y = 0;           ///< where `forward` points
+  int x_px = 0, y_px = 0;                      ///< the picture's first pixel in the frame
   dvec3 frame_first{0}, step_x{0}, step_y{0};  ///< see dir()
-  double reach = 1;                      ///< the longest of these directions; their component along `forward` is 1
-  double unit = 1;            ///< a power of two of about the scene's size: depths are kept as unit / distance
-  bool fits_float = true;     ///< whether coordinates are so ordinary that single precision neither over- nor underflows
+  double reach = 1;        ///< the longest of these directions; their component along `forward` is 1
+  double unit = 1;         ///< a power of two of about the scene's size: depths are kept as unit / distance
+  bool fits_float = true;  ///< whether coordinates are so ordinary that single precision neither over- nor underflows
 
   /// The direction through pixel (x, y), not unit: View::pixel_dir to the bit.
   dvec3 dir(int x, int y) const {

@@ -15,14 +15,14 @@ HWY_BEFORE_NAMESPACE();
 namespace hybridrt {
 namespace HWY_NAMESPACE {
 
-/// Of several rows, in pixels from the box's first: where the triangle may be, and where it certainly is. The two differ
-/// only where a pixel's centre lies within the error of an edge.
+/// Of several rows, in pixels from the box's first: where the triangle may be, and where it certainly is. The two
+/// differ only where a pixel's centre lies within the error of an edge.
 struct Spans {
   Floats may_first, may_last, sure_first, sure_last;
 };
 
-/// The rows `y` of the triangle's box. An edge is solved for x: x = (-rest -+ error) / dx, rounded three times; 2^-21 of
-/// it covers that.
+/// The rows `y` of the triangle's box. An edge is solved for x: x = (-rest -+ error) / dx, rounded three times; 2^-21
+/// of it covers that.
 inline Spans spans_of_rows(const EdgeTriangle& t, Floats y) {
   const Floats rounding = all(0x1p-21f), width = all(static_cast<float>(t.box.x1 - t.box.x0));
   Spans s{all(0), width, all(0), width};
@@ -43,8 +43,7 @@ inline Spans spans_of_rows(const EdgeTriangle& t, Floats y) {
       s.sure_last = hn::IfThenElse(hn::Lt(error, rest), s.sure_last, all(-1));
     }
   }
-  const Mask in_box =
-      hn::And(hn::Ge(y, all(0)), hn::Le(y, all(static_cast<float>(t.box.y1 - t.box.y0))));
+  const Mask in_box = hn::And(hn::Ge(y, all(0)), hn::Le(y, all(static_cast<float>(t.box.y1 - t.box.y0))));
   s.may_first = hn::Ceil(s.may_first), s.sure_first = hn::Ceil(s.sure_first);
   s.may_last = hn::IfThenElse(in_box, hn::Floor(s.may_last), all(-1));
   s.sure_last = hn::Max(hn::Floor(s.sure_last), all(-2));
@@ -130,13 +129,15 @@ inline void sample_triangle(DepthTile& tile, const EdgeTriangle& t) {
       for (int i = (box.x0 + left) / kBlockWidth_px; left <= right && i <= (box.x0 + right) / kBlockWidth_px; ++i) {
         const int block_left = std::max(left, i * kBlockWidth_px - box.x0);
         const int block_right = std::min(right, (i + 1) * kBlockWidth_px - 1 - box.x0);
-        const float top = t.depth +
-                          std::max(t.depth_dx * static_cast<float>(block_left), t.depth_dx * static_cast<float>(block_right)) +
-                          std::max(t.depth_dy * above, t.depth_dy * below) + 2 * t.depth_error;
+        const float top =
+            t.depth +
+            std::max(t.depth_dx * static_cast<float>(block_left), t.depth_dx * static_cast<float>(block_right)) +
+            std::max(t.depth_dy * above, t.depth_dy * below) + 2 * t.depth_error;
         const PixelBox block{box.x0 + block_left, y0 + k_first, box.x0 + block_right, y0 + k_last};
         if (blocks_hide(tile, block, std::min(top, t.nearest))) continue;
         for (int k = k_first; k <= k_last; ++k) {
-          const int from = std::max<int>(rows.may_first[k], block_left), to = std::min<int>(rows.may_last[k], block_right);
+          const int from = std::max<int>(rows.may_first[k], block_left),
+                    to = std::min<int>(rows.may_last[k], block_right);
           if (from <= to) sample(k, from, to);
         }
         mark_stale(tile, block);

@@ -60,7 +60,8 @@ inline bool blocks_hide(DepthTile& tile, const PixelBox& box, float nearest) {
 
 /// Whether everything in the box (of the tile) is certainly in front of what is nowhere nearer than `nearest`.
 inline bool hides(DepthTile& tile, const PixelBox& box, float nearest) {
-  if (box.x1 - box.x0 >= kAskedByPixel_px || box.y1 - box.y0 >= kAskedByPixel_px) return blocks_hide(tile, box, nearest);
+  if (box.x1 - box.x0 >= kAskedByPixel_px || box.y1 - box.y0 >= kAskedByPixel_px)
+    return blocks_hide(tile, box, nearest);
   const Floats limit = all(nearest);
   for (int y = box.y0; y <= box.y1; ++y)
     for (int x = box.x0; x <= box.x1; x += kLanes) {

@@ -20,7 +20,8 @@ HWY_BEFORE_NAMESPACE();
 namespace hybridrt {
 namespace HWY_NAMESPACE {
 
-void cull_clusters(const Scene& scene, const Clusters& clusters, size_t begin, size_t end, int worker, FrameBins& bins) {
+void cull_clusters(const Scene& scene, const Clusters& clusters, size_t begin, size_t end, int worker,
+                   FrameBins& bins) {
   ClusterCuller(scene, clusters, bins.screen, worker, bins).cull(begin, end);
 }
 

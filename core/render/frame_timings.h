@@ -15,6 +15,7 @@ inline constexpr std::array<std::string_view, static_cast<size_t>(PassId::count)
 /// Milliseconds of each pass; 0 where a pass did not run.
 struct FrameTimings {
   std::array<double, static_cast<size_t>(PassId::count)> pass_ms{};
+  std::array<double, static_cast<size_t>(PassId::count)> threads_ms{};  ///< of all threads, where passes share them
   double wall_ms = 0;  ///< since the previous frame left pass 5's download
 
   double& operator[](PassId pass) { return pass_ms[static_cast<size_t>(pass)]; }

@@ -13,6 +13,7 @@ namespace {
 
 // Measured on balls, a cathedral, a car and a scan, of 75,000 to a million triangles: 77 to 115 and 58 to 62.
 constexpr size_t kEmbreeBytesPerTriangle = 90, kKdTreeBytesPerTriangle = 62;
+constexpr size_t kClusterBytesPerTriangle = 26;       // of the CPU's rasteriser; measured: 20 to 25
 constexpr size_t kLightBufferBytesPerTriangle = 145;  // measured: 85 to 130, plus 13 for the sheets
 
 size_t geometry_bytes(const Scene& scene) {
@@ -25,8 +26,6 @@ size_t rendered_pixels(const RenderSettings& s) {
   const PixelRect part = rendered_rect(s);
   return static_cast<size_t>(part.width_px) * part.height_px;
 }
-
-bool uses_gl(const RenderSettings& s) { return s.method == Method::hybrid || s.method == Method::raster; }
 
 /// The sizes follow the formats in GlRenderer and FrameSlot.
 size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
@@ -42,7 +41,7 @@ size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   return bytes;
 }
 
-/// What passes 3 and 4 write in each slot, or the whole frame of render_on_cpu.
+/// What passes 3 and 4 write in each slot, or the whole frame of render_on_cpu or render_tiles.
 size_t cpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t lit = lights, traced = 16, ids = 4;
   if (!uses_gl(s)) return rendered_pixels(s) * (traced + ids + lit);
@@ -81,8 +80,10 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
   if (uses_gl(s))
     estimate.gpu_scene = geometry_bytes(scene) + scene.materials.size() * HRT_MATERIAL_TEXELS * sizeof(vec4);
   const bool kd_tree = s.accel == Accel::kdtree || s.method == Method::reference;
+  if (s.forms == PassForms::cpu && (s.method == Method::hybrid || s.method == Method::raster))
+    estimate.accelerator = scene.triangle_count() * kClusterBytesPerTriangle;
   if (needs_caster(facts, s, light_moves))
-    estimate.accelerator = scene.triangle_count() * (kd_tree ? kKdTreeBytesPerTriangle : kEmbreeBytesPerTriangle);
+    estimate.accelerator += scene.triangle_count() * (kd_tree ? kKdTreeBytesPerTriangle : kEmbreeBytesPerTriangle);
   const bool scatters = s.reflection_depth > 0 && !facts.scattering_bounds.empty();
   const bool asks_light = s.method == Method::raytrace || s.shadows == ShadowMode::blur ||
                           s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays || scatters;

@@ -39,15 +39,17 @@ StepNote mark_note(const FramePlan& plan, const RenderSettings& s) {
   return {kStep, Runs::each_frame, fmt::format("{0} x {0} blur of the shadow test", s.blur_kernel_px)};
 }
 
-StepNote readback_note(const FramePlan& plan) {
+StepNote readback_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "readback";
+  if (!uses_gl(s)) return left_out(kStep, "all passes run on the CPU");
   if (!plan.read_ids && !plan.read_mask) return left_out(kStep, "nothing on the CPU needs pixels");
   const char* what = !plan.read_mask ? "triangle ids" : plan.read_ids ? "triangle ids and marks" : "marks";
   return {kStep, Runs::each_frame, fmt::format("{} for {}", what, plan.trace() ? "pass 4" : "--aov")};
 }
 
-StepNote repair_note(const FramePlan& plan) {
+StepNote repair_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 4 primary hits";
+  if (!uses_gl(s)) return left_out(kStep, "the CPU's rasteriser is exact");
   if (!plan.repair) return left_out(kStep, "the raster's triangles are taken as they are");
   return {kStep, Runs::each_frame, "where the raster may have snapped a triangle aside"};
 }
@@ -113,8 +115,8 @@ std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& fact
           light_buffer_note(plan, light_moves),
           {"pass 2 triangle ids", Runs::each_frame, pixels(s) + (plan.shadow_map ? ", with the shadow test" : "")},
           mark_note(plan, s),
-          readback_note(plan),
-          repair_note(plan),
+          readback_note(plan, s),
+          repair_note(plan, s),
           shadow_rays_note(plan, s),
           scattered_note(plan, facts, s),
           {"pass 5 shading", Runs::each_frame, "once per pixel, from the ids"}};

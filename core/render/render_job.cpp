@@ -5,6 +5,7 @@
 #include "core/render/cpu_renderer.h"
 #include "core/render/gl_renderer.h"
 #include "core/render/samples.h"
+#include "core/render/tile_renderer.h"
 
 namespace hybridrt {
 
@@ -60,6 +61,11 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
     const RayCaster<float>& rays = caster();
     ready();
     render_on_cpu(job.scene, job.facts, job.topology, job.settings, rays, pool, next, deliver);
+  } else if (job.settings.forms == PassForms::cpu) {
+    const bool rays_needed = needs_caster(job.facts, job.settings, lights_move(job.lights, job.motion));
+    const RayCaster<float>* const rays = rays_needed ? &caster() : nullptr;
+    ready();
+    render_tiles(job.scene, job.facts, job.topology, job.settings, rays, pool, next, deliver);
   } else {
     const std::unique_ptr<gl::Context> context = gl::open_context(job.gl);
     facts.gl = context->info();

@@ -27,6 +27,7 @@ struct RenderJob {
   SceneCaster<float> caster;  ///< for `scene` by settings.accel, if it was needed already; else run() builds one
   uint64_t most_bytes = std::numeric_limits<uint64_t>::max();  ///< memory limit, by the estimates
   gl::ContextRequest gl;
+  std::string forms_reason;   ///< why settings.forms is what it is, for people; empty: nobody need be told
   gl::ShaderSources shaders;  ///< for the methods that use GL
 };
 

@@ -61,6 +61,8 @@ DeliverFrame averaged(DeliverFrame deliver, int samples) {
     } else {
       for (size_t i = 0; i < sum.picture.data.size(); ++i) sum.picture.data[i] += frame.picture.data[i];
       for (size_t i = 0; i < sum.timings.pass_ms.size(); ++i) sum.timings.pass_ms[i] += frame.timings.pass_ms[i];
+      for (size_t i = 0; i < sum.timings.threads_ms.size(); ++i)
+        sum.timings.threads_ms[i] += frame.timings.threads_ms[i];
       sum.timings.wall_ms += frame.timings.wall_ms;
       sum.stats.add(frame.stats);
     }

@@ -22,6 +22,10 @@ bool renders_part(const RenderSettings& s) {
   return part.width_px < s.width_px || part.height_px < s.height_px;
 }
 
+bool uses_gl(const RenderSettings& s) {
+  return s.forms == PassForms::gl && (s.method == Method::hybrid || s.method == Method::raster);
+}
+
 bool uses_shadow_map(const RenderSettings& s) { return s.shadows == ShadowMode::map || s.shadows == ShadowMode::blur; }
 
 PixelRect kept_of_rendered(const RenderSettings& s) {

@@ -58,6 +58,9 @@ struct PixelRect {
   int x_px = 0, y_px = 0, width_px = 0, height_px = 0;
 };
 
+/// Where passes 1, 2, 3 and 5 run: drawn by OpenGL, as in the paper, or computed on the CPU without any GL.
+enum class PassForms { gl, cpu };
+
 inline constexpr int kLargestBlurKernel_px = 31;
 
 /// How frames are rendered; Scene and Camera say what is in them.
@@ -65,6 +68,7 @@ struct RenderSettings {
   int width_px = 1024, height_px = 768;  ///< size of the frame
   std::optional<PixelRect> crop;         ///< the part of it that becomes the picture; inside the frame
   Method method = Method::hybrid;
+  PassForms forms = PassForms::gl;  ///< of the methods hybrid and raster
   ShadowMode shadows = ShadowMode::exact;
   int blur_kernel_px = 5;  ///< odd, at most kLargestBlurKernel_px
   int shadow_map_px = 2048;
@@ -88,6 +92,9 @@ PixelRect rendered_rect(const RenderSettings& settings);
 
 /// Whether that is less than the frame.
 bool renders_part(const RenderSettings& settings);
+
+/// Whether frames are drawn by OpenGL.
+bool uses_gl(const RenderSettings& settings);
 
 /// Whether frames have a shadow map.
 bool uses_shadow_map(const RenderSettings& settings);

@@ -5,16 +5,20 @@
 namespace hybridrt {
 namespace {
 
+constexpr PassId kThreadTimed[] = {PassId::id, PassId::mark, PassId::trace, PassId::shade};
+
 constexpr int kCheckpointSpacing = 50;  // times what the last one took
 
 std::string line_of(int frame, double write_ms, FrameTimings timings, const TraceStats& s) {
   timings[PassId::write] = write_ms;
   std::string line = fmt::format("{}", frame);
   for (double ms : timings.pass_ms) line += fmt::format(",{:.3f}", ms);
-  line += fmt::format(",{:.3f},{},{},{},{},{},{},{},{:.3f},{:.3f},{},{:.3f},{},{}\n", timings.wall_ms, s.pixels_hit,
+  line += fmt::format(",{:.3f},{},{},{},{},{},{},{},{:.3f},{:.3f},{},{:.3f},{},{}", timings.wall_ms, s.pixels_hit,
                       s.pixels_marked, s.pixels_reflective, s.pixels_refractive, s.shadow_rays, s.reflection_rays,
                       s.refraction_rays, s.shadow_cpu_ms, s.secondary_cpu_ms, s.primary_shadow_rays, s.repair_ms,
                       s.pixels_suspect, s.pixels_repaired);
+  for (PassId pass : kThreadTimed) line += fmt::format(",{:.3f}", timings.threads_ms[static_cast<size_t>(pass)]);
+  line += '\n';
   return line;
 }
 
@@ -26,7 +30,9 @@ TimingsCsv::TimingsCsv(const std::string& path)
   for (std::string_view pass : kPassNames) header += fmt::format(",{}_ms", pass);
   header +=
       ",wall_ms,pixels_hit,pixels_marked,pixels_reflective,pixels_refractive,shadow_rays,reflection_rays,"
-      "refraction_rays,shadow_cpu_ms,secondary_cpu_ms,primary_shadow_rays,repair_ms,pixels_suspect,pixels_repaired\n";
+      "refraction_rays,shadow_cpu_ms,secondary_cpu_ms,primary_shadow_rays,repair_ms,pixels_suspect,pixels_repaired";
+  for (PassId pass : kThreadTimed) header += fmt::format(",{}_cpu_ms", kPassNames[static_cast<size_t>(pass)]);
+  header += '\n';
   file_.write(header);
 }
 

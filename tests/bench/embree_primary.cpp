@@ -40,7 +40,8 @@ struct Rays {
 };
 
 template <int kRays>
-void find_in_tile(RTCScene scene, const View& view, const Rays& rays, int x_begin, int y_begin, std::span<uint32_t> ids) {
+void find_in_tile(RTCScene scene, const View& view, const Rays& rays, int x_begin, int y_begin,
+                  std::span<uint32_t> ids) {
   using P = Packet<kRays>;
   alignas(64) typename P::Type packet;
   alignas(64) int valid[kRays];
@@ -135,7 +136,8 @@ void EmbreePrimary::find(const View& view, int packet, ThreadPool& pool, std::sp
   const int tiles_y = (view.height_px + kTileHeight_px - 1) / kTileHeight_px;
   const Rays rays(view);
   pool.run(static_cast<size_t>(tiles_x) * tiles_y, [&](size_t tile, int) {
-    const int x = static_cast<int>(tile) % tiles_x * kTileWidth_px, y = static_cast<int>(tile) / tiles_x * kTileHeight_px;
+    const int x = static_cast<int>(tile) % tiles_x * kTileWidth_px,
+              y = static_cast<int>(tile) / tiles_x * kTileHeight_px;
     switch (packet) {
       case 4: return find_in_tile<4>(handles_->scene, view, rays, x, y, ids);
       case 8: return find_in_tile<8>(handles_->scene, view, rays, x, y, ids);

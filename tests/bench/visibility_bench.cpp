@@ -1,8 +1,8 @@
 // Times the triangle ids of a picture: the rasteriser against Embree's packets and streams, on the same rays.
 //   visibility_bench [--threads=N] [--rounds=N] [--size=1024x768] [--target=NAME] SCENE...
 // Each scene is seen as in its pictures, from its middle, and from low beside it. Candidates take turns; medians of the
-// rounds are printed in milliseconds, and the ratio of Embree's fastest to the rasteriser's. scripts/cpu_results.py makes
-// a table of it.
+// rounds are printed in milliseconds, and the ratio of Embree's fastest to the rasteriser's. scripts/cpu_results.py
+// makes a table of it.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,8 @@ std::vector<NamedView> views_of(const BenchScene& bench, const Options& options)
   const Aabb& box = bench.scene.bounds;
   const dvec3 middle(box.center()), extent(box.extent());
   Camera inside, grazing;
-  inside.eye_world = middle + 0.03 * extent, inside.target_world = middle + 0.4 * dvec3(extent.x, -0.2 * extent.y, extent.z);
+  inside.eye_world = middle + 0.03 * extent,
+  inside.target_world = middle + 0.4 * dvec3(extent.x, -0.2 * extent.y, extent.z);
   inside.fov_y_rad = kPi / 3;
   grazing.eye_world = middle + dvec3(0.6 * extent.x, -0.35 * extent.y, 0.5 * extent.z);
   grazing.target_world = middle - 0.3 * dvec3(0, extent.y, 0);

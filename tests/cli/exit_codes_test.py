@@ -124,7 +124,7 @@ class CommandLineTest(CliTestCase):
             self.assertIn(f"one{mark}.png", self.files())
 
     def test_gl_overrides_are_named(self):
-        self.fail_with(4, "render", SCENE, *SMALL, env={"MESA_GL_VERSION_OVERRIDE": "2.1"},
+        self.fail_with(4, "render", SCENE, *SMALL, "--gl", "egl", env={"MESA_GL_VERSION_OVERRIDE": "2.1"},
                        says=("MESA_GL_VERSION_OVERRIDE=2.1", "unset"))
 
 
@@ -161,9 +161,9 @@ class DeviceTest(CliTestCase):
         self.render("--method", "raytrace", env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"})
 
     def test_size_over_the_limit_names_it(self):
-        self.refuse("--size", "65536x2", says=("65536", "GL_MAX_TEXTURE_SIZE"))
-        self.refuse("--size", "2x65536", says=("65536", "GL_MAX_TEXTURE_SIZE"))
-        self.refuse("--size", "8x8", "--shadow-map", "65536", "--max-memory", "none", says=("65536", "GL_MAX_TEXTURE_SIZE"))
+        self.refuse("--gl", "egl", "--size", "65536x2", says=("65536", "GL_MAX_TEXTURE_SIZE"))
+        self.refuse("--gl", "egl", "--size", "2x65536", says=("65536", "GL_MAX_TEXTURE_SIZE"))
+        self.refuse("--gl", "egl", "--size", "8x8", "--shadow-map", "65536", "--max-memory", "none", says=("65536", "GL_MAX_TEXTURE_SIZE"))
 
     def test_broken_shader_shows_the_log(self):
         shaders = os.path.join(os.path.dirname(__file__), "..", "..", "shaders")

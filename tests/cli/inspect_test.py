@@ -67,8 +67,13 @@ class InspectTest(unittest.TestCase):
         self.assertEqual([(m["name"], m["kind"], m["triangles"]) for m in report["materials"]],
                          [("paint", "matte", 10), ("last", "highlight", 2)])
         self.assertEqual(report["materials"][1]["kd"], [0.2, 0.3, 0.4])
-        for what in ("scene", "gpu_scene", "gpu_frames", "accelerator", "topology"):
+        for what in ("scene", "accelerator", "topology"):
             self.assertGreater(report["memory_bytes"][what], 0)
+        drawn = self.json("cube.obj", "--gl", "egl")
+        for what in ("gpu_scene", "gpu_frames"):
+            self.assertGreater(drawn["memory_bytes"][what], 0)
+        self.assertEqual(drawn["frame"]["passes"], "gl")
+        self.assertEqual(self.json("cube.obj", "--gl", "off")["frame"]["passes"], "cpu")
         self.assertEqual(report["frame"]["number"], 1)
 
     def test_text_is_for_people(self):

@@ -40,7 +40,8 @@ View random_view(const Scene& scene, Random& random) {
   if (random.below(4) == 0 && size[0] > 8 && size[1] > 8) {
     const int x = static_cast<int>(random.below(size[0] - 4)), y = static_cast<int>(random.below(size[1] - 4));
     const dvec2 sample = view.sample_px;
-    view = part_of(view, x, y, 1 + static_cast<int>(random.below(size[0] - x)), 1 + static_cast<int>(random.below(size[1] - y)));
+    view = part_of(view, x, y, 1 + static_cast<int>(random.below(size[0] - x)),
+                   1 + static_cast<int>(random.below(size[1] - y)));
     view.sample_px = sample;
   }
   return view;

@@ -16,9 +16,9 @@ std::vector<uint32_t> reference_ids(const RayCaster<double>& caster, const View&
 std::vector<uint32_t> rasterized_ids(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool);
 
 /// More scenes that rasterisers stumble over.
-Scene doubled_faces(uint32_t seed);        ///< every triangle again, wound the other way and from another corner
-Scene sheet_on_centers(int cells);         ///< seen by sheet_view(), vertices and edges fall on pixel centres
+Scene doubled_faces(uint32_t seed);  ///< every triangle again, wound the other way and from another corner
+Scene sheet_on_centers(int cells);   ///< seen by sheet_view(), vertices and edges fall on pixel centres
 View sheet_view(int cells, double height);
-Scene huge_and_small(uint32_t seed);       ///< sizes from 1e-2 to 1e6
+Scene huge_and_small(uint32_t seed);  ///< sizes from 1e-2 to 1e6
 
 }  // namespace hybridrt

@@ -1,7 +1,7 @@
 #include "core/raster/visibility.h"
 
-#include <gtest/gtest.h>
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <hwy/targets.h>
 
 #include "core/trace/triangle.h"
@@ -70,7 +70,8 @@ TEST(Visibility, IsExactUnderEveryInstructionSet) {
       Oracle oracle(std::move(scene));
       Random random(7);
       for (int i = 0; i < 12; ++i)
-        ASSERT_EQ(oracle.wrong_pixels(random_view(oracle.scene, random)), 0) << hwy::TargetName(target) << ", view " << i;
+        ASSERT_EQ(oracle.wrong_pixels(random_view(oracle.scene, random)), 0)
+            << hwy::TargetName(target) << ", view " << i;
     }
   }
   hwy::SetSupportedTargetsForTest(0);

@@ -1,0 +1,192 @@
+#include "core/render/tile_frame.h"
+
+#include <algorithm>
+
+#include "core/base/timing.h"
+#include "core/trace/surface_at.h"
+#include "core/trace/texture_lookup.h"
+#include "shaders/shared.h"
+
+namespace hybridrt {
+namespace {
+
+uint8_t mask_of(CellAnswer answer) {
+  switch (answer) {
+    case CellAnswer::lit: return HRT_MASK_LIT;
+    case CellAnswer::shadow: return 0;
+    case CellAnswer::inside: return HRT_MASK_MARKED | HRT_MASK_INSIDE;
+    case CellAnswer::unknown: break;
+  }
+  return HRT_MASK_MARKED;
+}
+
+/// Adds the time since the last call to a pass.
+class PassClock {
+ public:
+  explicit PassClock(PassTimes& times_ms) : times_ms_(times_ms) {}
+  /// Returns what it adds.
+  double charge(PassId pass) {
+    const double ms = watch_.elapsed_ms();
+    times_ms_[static_cast<size_t>(pass)] += ms;
+    watch_.restart();
+    return ms;
+  }
+
+ private:
+  PassTimes& times_ms_;
+  Stopwatch watch_;
+};
+
+}  // namespace
+
+TileWorker::TileWorker(const TileJob& job, TileRaster& raster)
+    : job_(job), scene_(job.trace.scene), raster_(raster), generations_(job.trace, job.caster) {}
+
+void TileWorker::render(int tile) {
+  PassClock clock(times_ms_);
+  raster_.draw(scene_, job_.clusters, job_.bins, tile);
+  clock.charge(PassId::id);
+  const DepthTile& seen = raster_.depth();
+  const int x_end = seen.x_px + seen.width_px, y_end = seen.y_px + seen.height_px;
+  for (int y = seen.y_px; y < y_end; y += kPart_px)
+    for (int x = seen.x_px; x < x_end; x += kPart_px)
+      render_part(x, y, std::min(x + kPart_px, x_end), std::min(y + kPart_px, y_end));
+}
+
+void TileWorker::render_part(int x0, int y0, int x1, int y1) {
+  PassClock clock(times_ms_);
+  scattered_ = false;
+  for (int y = y0; y < y1; y += kBatchRows) {
+    take_points(x0, y, x1, std::min(y + kBatchRows, y1));
+    if (points_.count == 0) continue;
+    find_points(scene_, job_.plan.view, job_.trace.lights, points_);
+    clock.charge(PassId::mark);
+    light_points();
+    const double lighting_ms = clock.charge(job_.plan.trace_shadows ? PassId::trace : PassId::mark);
+    if (job_.plan.trace_shadows) stats_.shadow_cpu_ms += lighting_ms;
+    shade(job_.trace, points_, lit_, colors_);
+    for (int i = 0; i < points_.count; ++i)
+      job_.pixels.picture[index_of(points_.x[i], points_.y[i])] =
+          vec4(colors_[0][i], colors_[1][i], colors_[2][i], lit_[i] ? HRT_ALPHA_LIT : HRT_ALPHA_UNLIT);
+    clock.charge(PassId::shade);
+    if (job_.plan.trace_scattered) {
+      scatter_points(x0, y0);
+      clock.charge(PassId::trace);
+    }
+  }
+  if (!scattered_) return;
+  generations_.run(traced_, {}, stats_);
+  add_traced(x0, y0, x1, y1);
+  clock.charge(PassId::trace);
+}
+
+/// Takes the pixels that see a triangle; the others show the background.
+void TileWorker::take_points(int x0, int y0, int x1, int y1) {
+  const DepthTile& seen = raster_.depth();
+  const vec4 background(job_.trace.background, HRT_ALPHA_BACKGROUND);
+  points_.count = 0;
+  for (int y = y0; y < y1; ++y) {
+    const uint32_t* const row = seen.triangle + (y - seen.y_px) * kTileStride - seen.x_px;
+    for (int x = x0; x < x1; ++x) {
+      if (!job_.pixels.ids.empty()) job_.pixels.ids[index_of(x, y)] = row[x];
+      if (row[x] == kNoTriangle) {
+        job_.pixels.picture[index_of(x, y)] = background;
+        continue;
+      }
+      points_.x[points_.count] = x, points_.y[points_.count] = y;
+      points_.triangle[points_.count++] = row[x];
+    }
+  }
+  stats_.pixels_hit += points_.count;
+}
+
+/// Fills lit_.
+void TileWorker::light_points() {
+  const TraceJob& trace = job_.trace;
+  lit_.assign(points_.facing, points_.facing + points_.count);
+  if (!job_.plan.trace_shadows) return;
+  for (size_t l = 0; l < trace.lights.size(); ++l)
+    if (trace.casts_shadow(l)) ask_light(l);
+  if (job_.pixels.lit.empty()) return;
+  const size_t pixel_count = job_.pixels.lit.size() / trace.lights.size();
+  for (size_t l = 0; l < trace.lights.size(); ++l)
+    for (int i = 0; i < points_.count; ++i)
+      job_.pixels.lit[l * pixel_count + index_of(points_.x[i], points_.y[i])] = lit_[i] >> l & 1 ? HRT_MASK_LIT : 0;
+}
+
+/// Pass 3 and the shadow rays of pass 4: which points the light reaches.
+void TileWorker::ask_light(size_t light) {
+  const LightBuffer& buffer = *job_.trace.lights[light].buffer;
+  queries_.clear(), asking_.clear();
+  for (int i = 0; i < points_.count; ++i) {
+    if (!(points_.facing[i] >> light & 1)) continue;
+    queries_.push_back({dvec3(points_.origin[0][i], points_.origin[1][i], points_.origin[2][i]), points_.triangle[i],
+                        points_.from_front[i] != 0, job_.trace.eye_enclosed, /*is_precise=*/true});
+    asking_.push_back(i);
+  }
+  marked_queries_.clear(), marked_.clear();
+  if (job_.plan.mark_exact) {
+    answers_.resize(queries_.size());
+    answers_of_cells(buffer, queries_, answers_);
+    for (size_t k = 0; k < queries_.size(); ++k) {
+      if (answers_[k] == CellAnswer::lit) continue;
+      if (answers_[k] == CellAnswer::shadow) {
+        lit_[asking_[k]] &= static_cast<uint8_t>(~(1u << light));
+        continue;
+      }
+      marked_queries_.push_back(queries_[k]);
+      marked_.push_back(asking_[k]);
+    }
+    if (!job_.pixels.mask.empty()) keep_masks(light);
+  } else {
+    marked_queries_.swap(queries_), marked_.swap(asking_);
+  }
+  occluded_.resize(marked_.size());
+  shadow_answers(buffer, marked_queries_, occluded_);
+  for (size_t k = 0; k < marked_.size(); ++k)
+    if (occluded_[k]) lit_[marked_[k]] &= static_cast<uint8_t>(~(1u << light));
+  const auto asked = static_cast<int64_t>(marked_.size());
+  stats_.pixels_marked += asked, stats_.shadow_rays += asked, stats_.primary_shadow_rays += asked;
+}
+
+void TileWorker::keep_masks(size_t light) {
+  const size_t first = light * (job_.pixels.mask.size() / job_.trace.lights.size());
+  for (size_t k = 0; k < answers_.size(); ++k)
+    job_.pixels.mask[first + index_of(points_.x[asking_[k]], points_.y[asking_[k]])] = mask_of(answers_[k]);
+}
+
+/// Queues the rays that the points reflect and refract.
+void TileWorker::scatter_points(int part_x0, int part_y0) {
+  const View& view = job_.plan.view;
+  for (int i = 0; i < points_.count; ++i) {
+    const uint32_t triangle = points_.triangle[i];
+    const Material& material = scene_.material_of(triangle);
+    if (!material.reflective() && !material.transmissive()) continue;
+    if (!scattered_) traced_.assign(kPart_px * kPart_px, vec3(0));
+    scattered_ = true;
+    const vec3 dir(points_.dir[0][i], points_.dir[1][i], points_.dir[2][i]);
+    const Surface<float> surface = surface_at(scene_, triangle, points_.u[i], points_.v[i], dir);
+    vec3 reflect = material.reflect;
+    float distance = 0, solid_angle = 0;
+    if (scene_.textures) {
+      distance = static_cast<float>(glm::distance(view.eye, dvec3(surface.point)));
+      solid_angle = static_cast<float>(view.sample_solid_angle(points_.x[i], points_.y[i]));
+      if (material.texture_maps != 0)
+        reflect =
+            textured_colors(scene_, triangle, points_.u[i], points_.v[i], dir, solid_angle, distance).reflect;
+    }
+    const auto in_part = static_cast<uint32_t>((points_.y[i] - part_y0) * kPart_px + points_.x[i] - part_x0);
+    generations_.add_scattered(in_part, surface, reflect, dir, distance, solid_angle, stats_);
+  }
+}
+
+void TileWorker::add_traced(int x0, int y0, int x1, int y1) {
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) {
+      const vec4 light(traced_[(y - y0) * kPart_px + x - x0], 0);
+      job_.pixels.picture[index_of(x, y)] += light;
+      if (!job_.pixels.traced.empty()) job_.pixels.traced[index_of(x, y)] = light;
+    }
+}
+
+}  // namespace hybridrt

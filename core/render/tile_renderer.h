@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/base/parallel.h"
+#include "core/mesh/topology.h"
+#include "core/render/frame.h"
+#include "core/trace/ray_caster.h"
+
+namespace hybridrt {
+
+/// Whether the CPU has forms of all passes that these settings need.
+bool has_cpu_forms(const RenderSettings& settings);
+
+/// The paper's five passes over a sequence without any GL: a tile of the picture goes through ids, shadow queries, rays
+/// and shading on one thread while its data is in the cache. The picture is the GL form's, up to rounding; where the
+/// settings repair the GL form's ids, the ids are the same. `caster` may be null if !needs_caster(). All arguments must
+/// outlive the call.
+void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology,
+                  const RenderSettings& settings, const RayCaster<float>* caster, ThreadPool& pool,
+                  const NextFrame& next, const DeliverFrame& deliver);
+
+}  // namespace hybridrt
