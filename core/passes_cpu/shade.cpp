@@ -34,11 +34,11 @@ class LaneShader {
 
   Vector color(int first) const {
     const Vector dir = vector_at(points_.dir, first), side = vector_at(points_.side, first);
-    const Vector normal = surface_floats::turned_toward(
-        surface_floats::normalized_or(interpolated_normal(first), side), side);
+    const Vector normal =
+        surface_floats::turned_toward(surface_floats::normalized_or(interpolated_normal(first), side), side);
     const LanePaint paint = paint_at(first);
-    const Vector ambient = surface_floats::ambient_at(Vector::all(job_.ambient.color), Vector::all(job_.ambient.slope),
-                                                      normal);
+    const Vector ambient =
+        surface_floats::ambient_at(Vector::all(job_.ambient.color), Vector::all(job_.ambient.slope), normal);
     Vector color = surface_floats::phong_unlit(paint.kd, paint.ke, paint.opacity, ambient);
     for (size_t l = 0; l < job_.lights.size(); ++l) {
       const DirectionalLight& light = job_.lights[l].light;
@@ -47,9 +47,8 @@ class LaneShader {
       for (int i = 0; i < kFloatsAtOnce; ++i)
         any += arrives[i] = first + i < points_.count ? static_cast<float>(lit_[first + i] >> l & 1) : 0;
       if (any == 0) continue;
-      const Vector brought =
-          surface_floats::phong_light(paint.kd, paint.ks, paint.ns, paint.opacity, normal, -dir,
-                                      Vector::all(vec3(light.toward)), Vector::all(light.color));
+      const Vector brought = surface_floats::phong_light(paint.kd, paint.ks, paint.ns, paint.opacity, normal, -dir,
+                                                         Vector::all(vec3(light.toward)), Vector::all(light.color));
       color = color + choose(Real::load(arrives) > Real(0), brought, Vector(Real(0)));
     }
     return color;

@@ -32,7 +32,7 @@ struct VertexError {
 ///               precision adds to the centre
 /// Edge functions, over a box of width + height + 2 = S pixels: error = S (2.1 delta + 5u S), delta that of the
 /// vertices; a triangle with less than four times that as twice its area goes the homogeneous way. Depth is linear on
-/// the screen: error_depth = 8 range error / |twice area| + 8 (rho + 2u) largest. None of it counts on fused
+/// the screen: error_depth = 8 range error / |twice area| + 8 (rho + 2u) largest. It holds with and without fused
 /// operations.
 class ClusterDraw {
  public:
@@ -63,8 +63,8 @@ class ClusterDraw {
     const Floats fraction_x = all(static_cast<float>(center_x - base_x_));
     const Floats fraction_y = all(static_cast<float>(center_y - base_y_));
     const auto product = [](const dvec3& axis, Floats ox, Floats oy, Floats oz) {
-      return all(static_cast<float>(axis.x)) * ox +
-             (all(static_cast<float>(axis.y)) * oy + all(static_cast<float>(axis.z)) * oz);
+      const Floats rest = sum_of(all(static_cast<float>(axis.y)), oy, all(static_cast<float>(axis.z)) * oz);
+      return sum_of(all(static_cast<float>(axis.x)), ox, rest);
     };
 
     const float* const offsets = clusters_.offsets(*cluster_);
@@ -75,8 +75,8 @@ class ClusterDraw {
       const Floats ox = load(offsets + i), oy = load(offsets + stride + i), oz = load(offsets + 2 * stride + i);
       const Floats distance = product(screen_.forward, ox, oy, oz) + all(static_cast<float>(z));
       const Floats per_distance = all(1) / distance;
-      const Floats px = product(across, ox, oy, oz) * per_distance + fraction_x;
-      const Floats py = product(down, ox, oy, oz) * per_distance + fraction_y;
+      const Floats px = sum_of(product(across, ox, oy, oz), per_distance, fraction_x);
+      const Floats py = sum_of(product(down, ox, oy, oz), per_distance, fraction_y);
       least_z = hn::Min(least_z, distance);
       least_x = hn::Min(least_x, px), most_x = hn::Max(most_x, px);
       least_y = hn::Min(least_y, py), most_y = hn::Max(most_y, py);
@@ -160,24 +160,24 @@ class ClusterDraw {
     // Edge k lies opposite corner k.
     Floats dx[3], dy[3];
     for (int k = 0; k < 3; ++k) dx[k] = y[(k + 1) % 3] - y[(k + 2) % 3], dy[k] = x[(k + 2) % 3] - x[(k + 1) % 3];
-    const Floats twice_area = dx[2] * (x[2] - x[0]) + dy[2] * (y[2] - y[0]);
+    const Floats twice_area = sum_of(dx[2], x[2] - x[0], dy[2] * (y[2] - y[0]));
     const Floats area = hn::Abs(twice_area);
     const Floats width = hn::Max(hn::Max(x[0], x[1]), x[2]) - hn::Min(hn::Min(x[0], x[1]), x[2]);
     const Floats height = hn::Max(hn::Max(y[0], y[1]), y[2]) - hn::Min(hn::Min(y[0], y[1]), y[2]);
     const Floats size = (width + height) + all(2);
-    t.error = size * (size * all(5 * kU) + all(2.1f * error_.pixels));
+    t.error = size * sum_of(size, all(5 * kU), all(2.1f * error_.pixels));
     const Mask sliver = hn::And(live, hn::Lt(area, t.error * all(4)));
     for (int k = 0; k < 3; ++k) {
       t.dx[k] = hn::CopySignToAbs(all(1), twice_area) * dx[k];
       t.dy[k] = hn::CopySignToAbs(all(1), twice_area) * dy[k];
-      t.edge[k] = t.dx[k] * (t.box_x0 - x[(k + 1) % 3]) + t.dy[k] * (t.box_y0 - y[(k + 1) % 3]);
+      t.edge[k] = sum_of(t.dx[k], t.box_x0 - x[(k + 1) % 3], t.dy[k] * (t.box_y0 - y[(k + 1) % 3]));
     }
     const Floats per_area = all(1) / area, step_1 = w[1] - w[0], step_2 = w[2] - w[0];
-    t.depth_dx = (t.dx[1] * step_1 + t.dx[2] * step_2) * per_area;
-    t.depth_dy = (t.dy[1] * step_1 + t.dy[2] * step_2) * per_area;
-    t.depth = (t.edge[1] * step_1 + t.edge[2] * step_2) * per_area + w[0];
+    t.depth_dx = sum_of(t.dx[1], step_1, t.dx[2] * step_2) * per_area;
+    t.depth_dy = sum_of(t.dy[1], step_1, t.dy[2] * step_2) * per_area;
+    t.depth = sum_of(sum_of(t.edge[1], step_1, t.edge[2] * step_2), per_area, w[0]);
     const Floats most = hn::Max(hn::Max(w[0], w[1]), w[2]), range = most - hn::Min(hn::Min(w[0], w[1]), w[2]);
-    t.depth_error = all(8) * range * (t.error * per_area) + all(8 * error_.depth_relative) * most;
+    t.depth_error = sum_of(all(8) * range, t.error * per_area, all(8 * error_.depth_relative) * most);
     t.nearest = most * all(1 + 4 * error_.depth_relative + 1e-6f);
 
     const Mask small =
@@ -218,19 +218,21 @@ class ClusterDraw {
       const Floats dy = all(static_cast<float>(y));
       const Mask in_rows = hn::And(small, hn::Le(t.box_y0 + dy, t.box_y1));
       if (hn::AllFalse(kFloats, in_rows)) return;
-      const Floats row[3] = {t.dy[0] * dy + t.edge[0], t.dy[1] * dy + t.edge[1], t.dy[2] * dy + t.edge[2]};
-      const Floats row_depth = t.depth_dy * dy + t.depth;
+      const Floats row[3] = {sum_of(t.dy[0], dy, t.edge[0]), sum_of(t.dy[1], dy, t.edge[1]),
+                             sum_of(t.dy[2], dy, t.edge[2])};
+      const Floats row_depth = sum_of(t.depth_dy, dy, t.depth);
       for (int x = 0; x < kSmall_px; ++x) {
         const Floats dx = all(static_cast<float>(x));
         const Mask in_box = hn::And(in_rows, hn::Le(t.box_x0 + dx, t.box_x1));
-        const Floats least = hn::Min(hn::Min(t.dx[0] * dx + row[0], t.dx[1] * dx + row[1]), t.dx[2] * dx + row[2]);
+        const Floats least =
+            hn::Min(hn::Min(sum_of(t.dx[0], dx, row[0]), sum_of(t.dx[1], dx, row[1])), sum_of(t.dx[2], dx, row[2]));
         const Mask may = hn::And(in_box, hn::Gt(least, outside));
         if (hn::AllFalse(kFloats, may)) {
           if (hn::AllFalse(kFloats, in_box)) break;
           continue;
         }
         const Mask sure = hn::And(may, hn::Gt(least, t.error));
-        const Floats depth = t.depth_dx * dx + row_depth;
+        const Floats depth = sum_of(t.depth_dx, dx, row_depth);
         const Ints place = corner + all_int(y * kTileStride + x);
         keep_samples(sure, depth, t.depth_error, place, t.number);
         if (const uint32_t unsure = bits_of(hn::AndNot(sure, may)))
@@ -279,13 +281,13 @@ class ClusterDraw {
     for (int y = t.box.y0; y <= t.box.y1; y += kLanes) {
       const Floats dy = lane_numbers() + all(static_cast<float>(y - t.box.y0));
       const Spans s = spans_of_rows(t, dy);
-      const Floats row_depth = all(t.depth_dy) * dy + all(t.depth);
+      const Floats row_depth = sum_of(all(t.depth_dy), dy, all(t.depth));
       Floats x = s.may_first;
       Ints place =
           (hn::Iota(kInts, 0) + all_int(y)) * all_int(kTileStride) + (hn::ConvertTo(kInts, x) + all_int(t.box.x0));
       for (Mask may = hn::Le(x, s.may_last); !hn::AllFalse(kFloats, may); may = hn::Le(x, s.may_last)) {
         const Mask sure = hn::And(may, hn::And(hn::Le(s.sure_first, x), hn::Le(x, s.sure_last)));
-        const Floats depth = all(t.depth_dx) * x + row_depth, error = all(t.depth_error);
+        const Floats depth = sum_of(all(t.depth_dx), x, row_depth), error = all(t.depth_error);
         keep_samples(sure, depth, error, place, all_int(number));
         if (const uint32_t unsure = bits_of(hn::AndNot(sure, may)))
           queue_samples(unsure, hn::Min(depth + error, all(t.nearest)), place, all_int(number));
@@ -311,11 +313,14 @@ class ClusterDraw {
   /// Compares the samples that wait with the tile. Where there are holes none is sure before its look-up.
   void flush() {
     const ClusterScratch& s = scratch_;
-    for (int i = 0; i < s.sample_count; ++i) {
+    const uint32_t* const triangles = triangles_;
+    const bool has_holes = cluster_->has_holes;
+    const int count = s.sample_count;
+    for (int i = 0; i < count; ++i) {
       const uint32_t place = s.place[i];
       if (s.hi[i] < tile_.lo[place]) continue;
-      const uint32_t triangle = triangles_[s.number[i]];
-      if (s.lo[i] > tile_.hi[place] && !cluster_->has_holes)
+      const uint32_t triangle = triangles[s.number[i]];
+      if (s.lo[i] > tile_.hi[place] && !has_holes)
         tile_.lo[place] = s.lo[i], tile_.hi[place] = s.hi[i], tile_.triangle[place] = triangle;
       else
         queue(tile_, place, triangle, s.hi[i]);

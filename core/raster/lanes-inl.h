@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // The rasteriser's vectors: as many floats as the instruction set holds, at most 16, and as many integers. Their
-// arithmetic is written with operators; multiplications and additions are never fused.
+// arithmetic is written with operators; sum_of() may be fused. No bound on an error counts on either.
 using FloatLanes = hn::CappedTag<float, 16>;
 using IntLanes = hn::RebindToSigned<FloatLanes>;
 constexpr FloatLanes kFloats;
@@ -34,6 +34,9 @@ HWY_INLINE void store(float* p, Floats v) { hn::StoreU(v, kFloats, p); }
 HWY_INLINE Ints load_int(const uint32_t* p) { return hn::LoadU(kInts, reinterpret_cast<const int32_t*>(p)); }
 HWY_INLINE void store_int(uint32_t* p, Ints v) { hn::StoreU(v, kInts, reinterpret_cast<int32_t*>(p)); }
 HWY_INLINE void store_int(int32_t* p, Ints v) { hn::StoreU(v, kInts, p); }
+
+/// a b + c
+HWY_INLINE Floats sum_of(Floats a, Floats b, Floats c) { return hn::MulAdd(a, b, c); }
 
 /// 0, 1, 2, ...
 HWY_INLINE Floats lane_numbers() { return hn::Iota(kFloats, 0); }

@@ -49,6 +49,11 @@ class DepthOrder {
   std::vector<uint32_t> indices_;
 };
 
+/// Fetches what prefetch() will read.
+inline void prefetch_head(const Clusters& clusters, const BinItem& item) {
+  if (item.worker < 0) __builtin_prefetch(&clusters.clusters[item.index]);
+}
+
 /// Fetches what drawing an item will read.
 inline void prefetch(const Clusters& clusters, const BinItem& item) {
   if (item.worker >= 0) return;

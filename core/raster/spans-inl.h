@@ -27,13 +27,14 @@ inline Spans spans_of_rows(const EdgeTriangle& t, Floats y) {
   const Floats rounding = all(0x1p-21f), width = all(static_cast<float>(t.box.x1 - t.box.x0));
   Spans s{all(0), width, all(0), width};
   for (int k = 0; k < 3; ++k) {
-    const Floats rest = all(t.dy[k]) * y + all(t.edge[k]), error = all(t.error[k]);
+    const Floats rest = sum_of(all(t.dy[k]), y, all(t.edge[k])), error = all(t.error[k]);
     if (std::abs(t.dx[k]) > 1e-12f) {
       // Which side an edge bounds is as good as random: no branch, the other side's bound is moved out of the way.
       const Floats not_left = all(t.dx[k] > 0 ? 0.0f : -1e30f), not_right = all(t.dx[k] > 0 ? 1e30f : 0.0f);
       const Floats per_dx = all(t.x_per_dx[k]);
       const Floats may = (rest + error) * per_dx, sure = (rest - error) * per_dx;
-      const Floats may_room = hn::Abs(may) * rounding + rounding, sure_room = hn::Abs(sure) * rounding + rounding;
+      const Floats may_room = sum_of(hn::Abs(may), rounding, rounding),
+                   sure_room = sum_of(hn::Abs(sure), rounding, rounding);
       s.may_first = hn::Max(s.may_first, (may - may_room) + not_left);
       s.sure_first = hn::Max(s.sure_first, (sure + sure_room) + not_left);
       s.may_last = hn::Min(s.may_last, (may + may_room) + not_right);
@@ -69,7 +70,7 @@ inline void sample_row(DepthTile& tile, const EdgeTriangle& t, float depth_at_0,
     const Mask may = between_lanes(span.may_first - x, span.may_last - x);
     const Mask certain = between_lanes(span.sure_first - x, span.sure_last - x);
     const int place = y * kTileStride + x;
-    const Floats depth = step * (lane_numbers() + all(static_cast<float>(x - t.box.x0))) + row;
+    const Floats depth = sum_of(step, lane_numbers() + all(static_cast<float>(x - t.box.x0)), row);
     const Floats lo = depth - error, hi = depth + error;
     const Floats tile_lo = load(tile.lo + place), tile_hi = load(tile.hi + place);
     const Mask visible = hn::AndNot(hn::Lt(hi, tile_lo), may);

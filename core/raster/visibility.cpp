@@ -37,6 +37,7 @@ void draw_items(const Scene& scene, const Clusters& clusters, const FrameBins& b
   for (size_t i = 0; i < order.size(); ++i) {
     constexpr size_t kAhead = 3;
     if (i + kAhead < order.size()) prefetch(clusters, items[order[i + kAhead]]);
+    if (i + 3 * kAhead < order.size()) prefetch_head(clusters, items[order[i + 3 * kAhead]]);
     const BinItem& item = items[order[i]];
     const PixelBox box{std::max<int>(item.x0, place.x0), std::max<int>(item.y0, place.y0),
                        std::min<int>(item.x1, place.x1), std::min<int>(item.y1, place.y1)};
@@ -90,12 +91,6 @@ void bin_clusters(const Scene& scene, const Clusters& clusters, const View& view
   std::stable_sort(bins.order.begin(), bins.order.end(), [&](uint32_t a, uint32_t b) { return items[a] > items[b]; });
 }
 
-FrameBins bin_clusters(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool) {
-  FrameBins bins;
-  bin_clusters(scene, clusters, view, pool, bins);
-  return bins;
-}
-
 struct TileRaster::Memory {
   hwy::AlignedUniquePtr<DepthTile> depth = hwy::MakeUniqueAligned<DepthTile>();
   std::vector<BinItem> items;
@@ -122,12 +117,13 @@ void TileRaster::draw(const Scene& scene, const Clusters& clusters, const FrameB
 }
 
 void rasterize_ids(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool,
-                   std::span<uint32_t> ids) {
+                   RasterMemory& memory, std::span<uint32_t> ids) {
   HRT_CHECK_EQ(ids.size(), static_cast<size_t>(view.width_px) * view.height_px);
-  const FrameBins bins = bin_clusters(scene, clusters, view, pool);
-  std::vector<TileRaster> rasters(pool.size());
+  FrameBins& bins = memory.bins;
+  bin_clusters(scene, clusters, view, pool, bins);
+  memory.tiles.resize(pool.size());
   pool.run(bins.order.size(), [&](size_t i, int worker) {
-    TileRaster& raster = rasters[worker];
+    TileRaster& raster = memory.tiles[worker];
     raster.draw(scene, clusters, bins, static_cast<int>(bins.order[i]));
     const DepthTile& tile = raster.depth();
     for (int y = 0; y < tile.height_px; ++y)

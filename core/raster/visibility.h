@@ -16,11 +16,8 @@ namespace hybridrt {
 // or behind the pixel's, or is queued and settled by that same double-precision test. Nothing is clipped, snapped or
 // culled by its facing, and the result does not depend on the order of the work. docs/method.md explains it.
 
-/// Finds the clusters that may be seen and sorts them into the picture's tiles. `scene` is the one that the clusters
-/// were made of.
-FrameBins bin_clusters(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool);
-
-/// The same, in memory that is kept from frame to frame.
+/// Finds the clusters that may be seen and sorts them into the picture's tiles: `bins`, whose memory is used again.
+/// `scene` is the one that the clusters were made of.
 void bin_clusters(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool, FrameBins& bins);
 
 /// Memory of one thread for the tile at hand.
@@ -41,8 +38,14 @@ class TileRaster {
   std::unique_ptr<Memory> memory_;
 };
 
+/// What is kept from picture to picture.
+struct RasterMemory {
+  FrameBins bins;
+  std::vector<TileRaster> tiles;  ///< one per thread
+};
+
 /// All tiles of a picture: `ids` has one element per pixel, rows from the top.
 void rasterize_ids(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool,
-                   std::span<uint32_t> ids);
+                   RasterMemory& memory, std::span<uint32_t> ids);
 
 }  // namespace hybridrt

@@ -1,6 +1,7 @@
 #include "core/render/tile_frame.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/timing.h"
 #include "core/trace/surface_at.h"
@@ -65,9 +66,7 @@ void TileWorker::render_part(int x0, int y0, int x1, int y1) {
     const double lighting_ms = clock.charge(job_.plan.trace_shadows ? PassId::trace : PassId::mark);
     if (job_.plan.trace_shadows) stats_.shadow_cpu_ms += lighting_ms;
     shade(job_.trace, points_, lit_, colors_);
-    for (int i = 0; i < points_.count; ++i)
-      job_.pixels.picture[index_of(points_.x[i], points_.y[i])] =
-          vec4(colors_[0][i], colors_[1][i], colors_[2][i], lit_[i] ? HRT_ALPHA_LIT : HRT_ALPHA_UNLIT);
+    keep_colors();
     clock.charge(PassId::shade);
     if (job_.plan.trace_scattered) {
       scatter_points(x0, y0);
@@ -83,21 +82,48 @@ void TileWorker::render_part(int x0, int y0, int x1, int y1) {
 /// Takes the pixels that see a triangle; the others show the background.
 void TileWorker::take_points(int x0, int y0, int x1, int y1) {
   const DepthTile& seen = raster_.depth();
-  const vec4 background(job_.trace.background, HRT_ALPHA_BACKGROUND);
+  const bool has_alpha = job_.pixels.picture.channels == 4;
+  const vec4 background = has_alpha ? vec4(0) : vec4(job_.trace.background, 0);
   points_.count = 0;
+  uint32_t last = kNoTriangle;
   for (int y = y0; y < y1; ++y) {
     const uint32_t* const row = seen.triangle + (y - seen.y_px) * kTileStride - seen.x_px;
     for (int x = x0; x < x1; ++x) {
       if (!job_.pixels.ids.empty()) job_.pixels.ids[index_of(x, y)] = row[x];
       if (row[x] == kNoTriangle) {
-        job_.pixels.picture[index_of(x, y)] = background;
+        std::copy_n(&background.x, has_alpha ? 4 : 3, pixel(x, y));
         continue;
       }
+      if (row[x] != std::exchange(last, row[x])) prefetch(row[x]);
       points_.x[points_.count] = x, points_.y[points_.count] = y;
       points_.triangle[points_.count++] = row[x];
     }
   }
   stats_.pixels_hit += points_.count;
+  for (int i = 0; i < points_.count; ++i)
+    if (points_.triangle[i] != std::exchange(last, points_.triangle[i])) prefetch_corners(points_.triangle[i]);
+}
+
+/// A triangle's data lie anywhere in memory: they are fetched while others are worked on, first what names its corners.
+void TileWorker::prefetch(uint32_t triangle) const {
+  __builtin_prefetch(&scene_.triangle_positions[triangle]);
+  __builtin_prefetch(&scene_.triangle_normals[triangle]);
+  __builtin_prefetch(&scene_.triangle_materials[triangle]);
+}
+void TileWorker::prefetch_corners(uint32_t triangle) const {
+  for (int k = 0; k < 3; ++k) {
+    __builtin_prefetch(&scene_.positions[scene_.triangle_positions[triangle][k]]);
+    __builtin_prefetch(&scene_.normals[scene_.triangle_normals[triangle][k]]);
+  }
+}
+
+void TileWorker::keep_colors() {
+  const int channels = job_.pixels.picture.channels;
+  for (int i = 0; i < points_.count; ++i) {
+    const vec4 color(colors_[0][i], colors_[1][i], colors_[2][i], 1);
+    std::copy_n(&color.x, channels, pixel(points_.x[i], points_.y[i]));
+    stats_.pixels_lit += lit_[i] != 0;
+  }
 }
 
 /// Fills lit_.
@@ -172,8 +198,7 @@ void TileWorker::scatter_points(int part_x0, int part_y0) {
       distance = static_cast<float>(glm::distance(view.eye, dvec3(surface.point)));
       solid_angle = static_cast<float>(view.sample_solid_angle(points_.x[i], points_.y[i]));
       if (material.texture_maps != 0)
-        reflect =
-            textured_colors(scene_, triangle, points_.u[i], points_.v[i], dir, solid_angle, distance).reflect;
+        reflect = textured_colors(scene_, triangle, points_.u[i], points_.v[i], dir, solid_angle, distance).reflect;
     }
     const auto in_part = static_cast<uint32_t>((points_.y[i] - part_y0) * kPart_px + points_.x[i] - part_x0);
     generations_.add_scattered(in_part, surface, reflect, dir, distance, solid_angle, stats_);
@@ -184,7 +209,7 @@ void TileWorker::add_traced(int x0, int y0, int x1, int y1) {
   for (int y = y0; y < y1; ++y)
     for (int x = x0; x < x1; ++x) {
       const vec4 light(traced_[(y - y0) * kPart_px + x - x0], 0);
-      job_.pixels.picture[index_of(x, y)] += light;
+      for (int c = 0; c < 3; ++c) pixel(x, y)[c] += light[c];
       if (!job_.pixels.traced.empty()) job_.pixels.traced[index_of(x, y)] = light;
     }
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/image/image.h"
 #include "core/passes_cpu/shade.h"
 #include "core/raster/visibility.h"
 #include "core/render/frame_plan.h"
@@ -15,7 +16,7 @@ namespace hybridrt {
 /// A frame's arrays, one element per pixel of the rendered part, rows from the top; those per light one light after the
 /// other. Empty ones are not wanted.
 struct TilePixels {
-  std::span<vec4> picture;       ///< linear; alpha is one of HRT_ALPHA_*
+  Image& picture;  ///< linear; with four channels the last is coverage
   std::span<uint32_t> ids;
   std::span<uint8_t> mask, lit;  ///< as the GL form's (shaders/shared.h)
   std::span<vec4> traced;        ///< what reflected and refracted rays bring
@@ -51,12 +52,16 @@ class TileWorker {
   static constexpr int kBatchRows = SeenPoints::kMost / kPart_px;
 
   void render_part(int x0, int y0, int x1, int y1);
+  void prefetch(uint32_t triangle) const;
+  void prefetch_corners(uint32_t triangle) const;
   void take_points(int x0, int y0, int x1, int y1);
   void light_points();
   void ask_light(size_t light);
   void keep_masks(size_t light);
   void scatter_points(int part_x0, int part_y0);
   void add_traced(int x0, int y0, int x1, int y1);
+  void keep_colors();
+  float* pixel(int x, int y) const { return &job_.pixels.picture.data[index_of(x, y) * job_.pixels.picture.channels]; }
   size_t index_of(int x, int y) const { return static_cast<size_t>(y) * job_.plan.view.width_px + x; }
 
   const TileJob& job_;

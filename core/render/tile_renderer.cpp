@@ -15,16 +15,15 @@ namespace {
 
 /// Memory that is kept from frame to frame.
 struct FrameMemory {
-  std::vector<vec4> picture, traced;
+  std::vector<vec4> traced;
   std::vector<uint32_t> ids;
   std::vector<uint8_t> mask, lit;
-  FrameBins bins;
-  std::vector<TileRaster> rasters;  ///< one per thread
+  RasterMemory raster;
 
   /// Arrays for a frame of so many pixels; those that only AOVs show are empty where no AOV asks for them.
-  TilePixels pixels_for(const FramePlan& plan, uint32_t aovs, size_t pixel_count) {
+  TilePixels pixels_for(const FramePlan& plan, uint32_t aovs, Image& picture) {
+    const size_t pixel_count = picture.pixel_count();
     const size_t lights = plan.lights.size();
-    picture.resize(pixel_count);
     ids.resize(plan.read_ids && (aovs & (kAovId | kAovDepth | kAovNormal)) ? pixel_count : 0);
     lit.assign(plan.trace_shadows && (aovs & kAovShadow) ? lights * pixel_count : 0, 0);
     mask.assign(plan.mark_exact && (aovs & kAovMarked) ? lights * pixel_count : 0, 0);
@@ -38,24 +37,23 @@ void set_timings(FrameTimings& timings, const PassTimes& threads_ms, double wall
   const double sum = std::accumulate(threads_ms.begin(), threads_ms.end(), 0.0);
   timings.threads_ms = threads_ms;
   if (sum <= 0) return;
-  for (size_t pass = 0; pass < threads_ms.size(); ++pass)
-    timings.pass_ms[pass] += threads_ms[pass] / sum * wall_ms;
+  for (size_t pass = 0; pass < threads_ms.size(); ++pass) timings.pass_ms[pass] += threads_ms[pass] / sum * wall_ms;
 }
 
 }  // namespace
 
 bool has_cpu_forms(const RenderSettings& settings) { return !uses_shadow_map(settings); }
 
-void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology,
-                  const RenderSettings& settings, const RayCaster<float>* caster, ThreadPool& pool,
-                  const NextFrame& next, const DeliverFrame& deliver) {
+void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
+                  const RayCaster<float>* caster, ThreadPool& pool, const NextFrame& next,
+                  const DeliverFrame& deliver) {
   HRT_CHECK(has_cpu_forms(settings));
   const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
-  const size_t pixel_count = static_cast<size_t>(part.width_px) * part.height_px;
+  HRT_CHECK(part.width_px == kept.width_px && part.height_px == kept.height_px);
   const Clusters clusters = make_clusters(scene, pool);
   KeptLightBuffers light_buffers(scene, topology, pool);
   FrameMemory memory;
-  memory.rasters.resize(pool.size());
+  memory.raster.tiles.resize(pool.size());
   Stopwatch since_last_frame;
   while (const std::optional<FrameRequest> request = next()) {
     const FramePlan plan = make_frame_plan(scene, facts, *request, settings);
@@ -65,15 +63,17 @@ void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& t
     if (plan.light_buffers) frame.timings[PassId::shadow_map] = light_buffers.answer(trace);
 
     const Stopwatch binning;
-    bin_clusters(scene, clusters, plan.view, pool, memory.bins);
+    bin_clusters(scene, clusters, plan.view, pool, memory.raster.bins);
     frame.timings[PassId::id] = binning.elapsed_ms();
 
     const Stopwatch drawing;
-    const TileJob job{plan, trace, clusters, memory.bins, caster, memory.pixels_for(plan, settings.aovs, pixel_count)};
+    frame.picture = Image(part.width_px, part.height_px, settings.alpha ? 4 : 3);
+    const TileJob job{
+        plan, trace, clusters, memory.raster.bins, caster, memory.pixels_for(plan, settings.aovs, frame.picture)};
     std::vector<std::optional<TileWorker>> workers(pool.size());
-    pool.run(memory.bins.order.size(), [&](size_t i, int worker) {
-      if (!workers[worker]) workers[worker].emplace(job, memory.rasters[worker]);
-      workers[worker]->render(static_cast<int>(memory.bins.order[i]));
+    pool.run(memory.raster.bins.order.size(), [&](size_t i, int worker) {
+      if (!workers[worker]) workers[worker].emplace(job, memory.raster.tiles[worker]);
+      workers[worker]->render(static_cast<int>(memory.raster.bins.order[i]));
     });
     PassTimes threads_ms{};
     for (const std::optional<TileWorker>& worker : workers) {
@@ -83,10 +83,6 @@ void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& t
     }
     set_timings(frame.timings, threads_ms, drawing.elapsed_ms());
 
-    const Stopwatch unpacking;
-    frame.picture = picture_from_rgba(memory.picture.data(), part.width_px, part.height_px, kept, settings.alpha,
-                                      frame.stats);
-    frame.timings[PassId::download] = unpacking.elapsed_ms();
     frame.aovs = make_aovs(scene, plan.view, kept, {plan.lights, memory.ids, memory.mask, memory.lit, memory.traced},
                            settings.aovs);
     frame.timings.wall_ms = since_last_frame.elapsed_ms();

@@ -14,8 +14,7 @@ bool has_cpu_forms(const RenderSettings& settings);
 /// and shading on one thread while its data is in the cache. The picture is the GL form's, up to rounding; where the
 /// settings repair the GL form's ids, the ids are the same. `caster` may be null if !needs_caster(). All arguments must
 /// outlive the call.
-void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology,
-                  const RenderSettings& settings, const RayCaster<float>* caster, ThreadPool& pool,
-                  const NextFrame& next, const DeliverFrame& deliver);
+void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
+                  const RayCaster<float>* caster, ThreadPool& pool, const NextFrame& next, const DeliverFrame& deliver);
 
 }  // namespace hybridrt

@@ -14,9 +14,9 @@ namespace hybridrt {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// shaders/surface.glsl compiled for vectors of numbers, one pixel a lane: 16 floats or 8 doubles at most. Every operation
-// rounds as it does on single numbers, in the order of GLM's functions, and none is fused or approximate, so that a lane
-// gives the same bits under every instruction set.
+// shaders/surface.glsl compiled for vectors of numbers, one pixel a lane: 16 floats or 8 doubles at most. Every
+// operation rounds as it does on single numbers, in the order of GLM's functions, and none is fused or approximate, so
+// that a lane gives the same bits under every instruction set.
 
 template <typename T>
 using LanesOf = hn::CappedTag<T, 64 / sizeof(T)>;

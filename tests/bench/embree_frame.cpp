@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include "core/passes_cpu/shade.h"
 #include "core/trace/ray_generations.h"
 #include "core/trace/scatter.h"
 
@@ -63,15 +64,34 @@ class Painter {
     }
     rtcOccluded16(asks, scene_, &coherent_, &shadow);
 
+    // All of the packet's hits are shaded at once.
+    points_.count = 0;
+    int point_of[kPacket];
+    uint8_t lit[kPacket + 16];
+    for (int lane = 0; lane < kPacket; ++lane) {
+      point_of[lane] = -1;
+      if (!valid[lane] || primary.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
+      const int i = point_of[lane] = points_.count++;
+      points_.x[i] = x0 + lane % kBlock_px, points_.y[i] = y0 + lane / kBlock_px;
+      points_.triangle[i] = primary.hit.primID[lane];
+      points_.u[i] = primary.hit.u[lane], points_.v[i] = primary.hit.v[lane];
+      for (int k = 0; k < 3; ++k) {
+        points_.dir[k][i] = dirs[lane][k], points_.side[k][i] = surfaces[lane].side[k];
+        points_.origin[k][i] = surfaces[lane].point[k];
+      }
+      lit[i] = glm::dot(surfaces[lane].side, to_light_) > 0 && !(asks[lane] && shadow.tfar[lane] < 0);
+    }
+    for (int i = points_.count; points_.count > 0 && i < kPacket; ++i) points_.triangle[i] = points_.triangle[0];
+    float colors[3][SeenPoints::kRoom];
+    hybridrt::shade(job_, points_, {lit, sizeof(lit)}, colors);
+
     for (int lane = 0; lane < kPacket; ++lane) {
       if (!valid[lane]) continue;
-      const bool hit = primary.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
+      const int i = point_of[lane];
+      const bool hit = i >= 0;
       vec3 color = job_.background;
-      if (hit) {
-        const bool faces = glm::dot(surfaces[lane].side, to_light_) > 0;
-        color = shade(surfaces[lane], dirs[lane], faces && !(asks[lane] && shadow.tfar[lane] < 0));
-        color += scattered(surfaces[lane], dirs[lane], vec3(1), 0);
-      }
+      if (hit)
+        color = vec3(colors[0][i], colors[1][i], colors[2][i]) + scattered(surfaces[lane], dirs[lane], vec3(1), 0);
       const int x = x0 + lane % kBlock_px, y = y0 + lane / kBlock_px;
       picture[static_cast<size_t>(y) * view.width_px + x] = vec4(color, hit);
     }
@@ -116,6 +136,7 @@ class Painter {
   const TraceJob& job_;
   RTCScene scene_;
   vec3 to_light_;
+  SeenPoints points_{};
   RTCIntersectContext coherent_, incoherent_;
 };
 

@@ -7,8 +7,8 @@
 namespace hybridrt {
 
 /// The baseline: a frame as a plain program on top of Embree would render it, in packets of 16 primary and 16 shadow
-/// rays, mirrors and glass ray by ray, with our Phong shading and scattering. It shares no tracing code with the
-/// product.
+/// rays, mirrors and glass ray by ray, with our Phong shading (a packet at once) and scattering. It shares no tracing
+/// code with the product.
 class EmbreeFrame {
  public:
   explicit EmbreeFrame(const Scene& scene, int threads);

@@ -64,8 +64,9 @@ struct Candidate {
 double compare(const std::string& scene_name, const NamedView& view, const BenchScene& bench, const Clusters& clusters,
                const EmbreePrimary& robust, const EmbreePrimary& plain, ThreadPool& pool, const Options& options) {
   std::vector<uint32_t> ids(static_cast<size_t>(options.width_px) * options.height_px);
+  RasterMemory memory;
   std::vector<Candidate> candidates = {
-      {"raster", [&] { rasterize_ids(bench.scene, clusters, view.view, pool, ids); }, {}}};
+      {"raster", [&] { rasterize_ids(bench.scene, clusters, view.view, pool, memory, ids); }, {}}};
   for (const int packet : {4, 8, 16, 0})
     for (const EmbreePrimary* embree : {&robust, &plain})
       candidates.push_back({(packet ? std::to_string(packet) : std::string("stream")) + (embree == &robust ? "r" : ""),

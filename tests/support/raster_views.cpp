@@ -62,7 +62,8 @@ std::vector<uint32_t> reference_ids(const RayCaster<double>& caster, const View&
 
 std::vector<uint32_t> rasterized_ids(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool) {
   std::vector<uint32_t> ids(static_cast<size_t>(view.width_px) * view.height_px);
-  rasterize_ids(scene, clusters, view, pool, ids);
+  RasterMemory memory;
+  rasterize_ids(scene, clusters, view, pool, memory, ids);
   return ids;
 }
 

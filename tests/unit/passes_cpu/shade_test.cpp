@@ -38,7 +38,8 @@ SeenPoints points_on(const Scene& scene, const View& view, std::span<const Trace
   SeenPoints points;
   Random random(6);
   for (int i = 0; i < kPoints; ++i) {
-    points.x[i] = static_cast<int>(random.below(view.width_px)), points.y[i] = static_cast<int>(random.below(view.height_px));
+    points.x[i] = static_cast<int>(random.below(view.width_px)),
+    points.y[i] = static_cast<int>(random.below(view.height_px));
     points.triangle[i] = random.below(static_cast<uint32_t>(scene.triangle_count()));
   }
   points.count = kPoints;
@@ -52,17 +53,16 @@ vec3 shaded_alone(const TraceJob& job, const SeenPoints& p, int i, unsigned lit)
   const Surface<float> surface = surface_at(job.scene, p.triangle[i], p.u[i], p.v[i], dir);
   const Material& m = job.scene.materials[surface.material];
   const SurfaceColors<float> paint =
-      m.texture_maps == 0
-          ? plain_colors(job.scene, p.triangle[i], p.u[i], p.v[i])
-          : textured_colors(job.scene, p.triangle[i], p.u[i], p.v[i], dir,
-                            static_cast<float>(job.view.sample_solid_angle(p.x[i], p.y[i])),
-                            static_cast<float>(glm::distance(job.view.eye, dvec3(surface.point))));
-  vec3 color = phong_unlit(paint.kd, paint.ke, m.opacity,
-                           ambient_at(job.ambient.color, job.ambient.slope, surface.normal));
+      m.texture_maps == 0 ? plain_colors(job.scene, p.triangle[i], p.u[i], p.v[i])
+                          : textured_colors(job.scene, p.triangle[i], p.u[i], p.v[i], dir,
+                                            static_cast<float>(job.view.sample_solid_angle(p.x[i], p.y[i])),
+                                            static_cast<float>(glm::distance(job.view.eye, dvec3(surface.point))));
+  vec3 color =
+      phong_unlit(paint.kd, paint.ke, m.opacity, ambient_at(job.ambient.color, job.ambient.slope, surface.normal));
   for (size_t l = 0; l < job.lights.size(); ++l)
     if (lit >> l & 1)
-      color += phong_light(paint.kd, paint.ks, m.ns, m.opacity, surface.normal, -dir,
-                           vec3(job.lights[l].light.toward), job.lights[l].light.color);
+      color += phong_light(paint.kd, paint.ks, m.ns, m.opacity, surface.normal, -dir, vec3(job.lights[l].light.toward),
+                           job.lights[l].light.color);
   return color;
 }
 

@@ -83,7 +83,8 @@ void expect_as_the_reference(RenderJob job, ShadowMode shadows) {
 }
 
 TEST(TileRenderer, GivesTheReferencesIdsShadowsAndColours) {
-  for (const char* scene : {"scene:chess,triangles=10000", "scene:spheres,triangles=4000,reflective=30", "scene:thin,triangles=20000"})
+  for (const char* scene :
+       {"scene:chess,triangles=10000", "scene:spheres,triangles=4000,reflective=30", "scene:thin,triangles=20000"})
     for (const ShadowMode shadows : {ShadowMode::exact, ShadowMode::rays, ShadowMode::none}) {
       SCOPED_TRACE(fmt::format("{} {}", scene, name_of(shadows)));
       expect_as_the_reference(job_of(scene, 2), shadows);

@@ -9,9 +9,8 @@
 namespace hybridrt {
 namespace {
 
-const std::vector<TracedLight> kLights = {{{glm::normalize(dvec3(0.3, 1, 0.2))}},
-                                          {{glm::normalize(dvec3(-1, 0.1, -0.4))}},
-                                          {{dvec3(0, 0, 1)}}};
+const std::vector<TracedLight> kLights = {
+    {{glm::normalize(dvec3(0.3, 1, 0.2))}}, {{glm::normalize(dvec3(-1, 0.1, -0.4))}}, {{dvec3(0, 0, 1)}}};
 
 /// Points that pixels of the view see, at most as many as fit.
 SeenPoints points_of(const View& view, const std::vector<uint32_t>& ids, size_t first) {

@@ -1,0 +1,119 @@
+// Whole frames: the hybrid on the CPU, our own ray tracer and a plain Embree program, on the same scene, view and light.
+//   frame_bench [--threads=N] [--rounds=N] [--size=1024x768] [--depth=N] [--alone] SCENE...
+// The three take turns, and medians of the rounds are printed in milliseconds, with what Embree's and the ray tracer's
+// frames take over the hybrid's, and the hybrid's passes by the threads' time. --alone: the hybrid only, for a profiler. scripts/cpu_results.py makes a table.
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/base/timing.h"
+#include "core/passes_cpu/trace_pass.h"
+#include "core/render/kept_light_buffers.h"
+#include "core/render/scene_caster.h"
+#include "core/render/tile_renderer.h"
+#include "tests/bench/embree_frame.h"
+#include "tests/bench/ray_sets.h"
+
+namespace hybridrt {
+namespace {
+
+struct Options {
+  int threads = allowed_processors(), rounds = 11, width_px = 1024, height_px = 768, depth = 1;
+  bool alone = false;  ///< the hybrid only, for a profiler
+  std::vector<std::string> scenes;
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+/// The camera that has the bench's view.
+Camera camera_of(const View& view) {
+  return {view.eye, view.eye + view.forward, view.up, 2 * std::atan(view.tan_half_height)};
+}
+
+void measure(const std::string& name, const Options& options, ThreadPool& pool) {
+  BenchScene bench = load_bench_scene(name, pool);
+  bench.scene.origin_world = dvec3(0);
+  const SceneFacts facts = make_scene_facts(bench.scene);
+  const Topology topology = build_topology(bench.scene, pool);
+  RenderSettings settings;
+  settings.forms = PassForms::cpu;
+  settings.width_px = options.width_px, settings.height_px = options.height_px;
+  settings.reflection_depth = options.depth;
+  const FrameRequest request{1, camera_of(bench.view), {{bench.toward}}};
+  const SceneCaster<float> caster = make_scene_caster(bench.scene, Accel::embree, pool);
+  const EmbreeFrame embree(bench.scene, options.threads);
+
+  // What the two rivals need.
+  const FramePlan plan = make_frame_plan(bench.scene, facts, request, settings);
+  TraceJob job = make_trace_job(bench.scene, plan, settings);
+  KeptLightBuffers buffers(bench.scene, topology, pool);
+  buffers.answer(job);
+  TraceJob plain = make_trace_job(bench.scene, plan, settings);
+  const size_t pixels = static_cast<size_t>(options.width_px) * options.height_px;
+  std::vector<vec4> picture(pixels);
+  std::vector<uint32_t> ids(pixels);
+  std::vector<uint8_t> lit(pixels);
+
+  std::vector<double> hybrid_ms, raytrace_ms, embree_ms;
+  std::vector<std::vector<double>> passes(static_cast<size_t>(PassId::count));
+  Stopwatch watch;
+  int round = -2;
+  const auto next = [&]() -> std::optional<FrameRequest> {
+    if (round++ == options.rounds) return std::nullopt;
+    watch.restart();
+    return request;
+  };
+  const auto deliver = [&](Frame&& frame) {
+    const double hybrid = watch.elapsed_ms();
+    watch.restart();
+    if (!options.alone) trace_frame(job, *caster.caster, pool, TracedFrame<float>{picture, ids, lit});
+    const double raytrace = watch.elapsed_ms();
+    watch.restart();
+    if (!options.alone) embree.render(plain, pool, picture);
+    const double all_embree = watch.elapsed_ms();
+    if (round <= 0) return;  // warm now
+    hybrid_ms.push_back(hybrid), raytrace_ms.push_back(raytrace), embree_ms.push_back(all_embree);
+    for (size_t i = 0; i < passes.size(); ++i)
+      passes[i].push_back(frame.timings.threads_ms[i] > 0 ? frame.timings.threads_ms[i] : frame.timings.pass_ms[i]);
+  };
+  render_tiles(bench.scene, facts, topology, settings, needs_caster(facts, settings, false) ? caster.caster.get() : nullptr,
+               pool, next, deliver);
+  const double hybrid = median(hybrid_ms);
+  printf("%s,%zu,%.2f,%.2f,%.2f,%.2f,%.2f", name.c_str(), bench.scene.triangle_count(), hybrid, median(raytrace_ms),
+         median(embree_ms), median(embree_ms) / hybrid, median(raytrace_ms) / hybrid);
+  for (const PassId pass : {PassId::id, PassId::mark, PassId::trace, PassId::shade, PassId::download})
+    printf(",%.2f", median(passes[static_cast<size_t>(pass)]));
+  printf("\n");
+  fflush(stdout);
+}
+
+}  // namespace
+}  // namespace hybridrt
+
+int main(int argc, char** argv) {
+  using namespace hybridrt;
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    if (!std::strncmp(argv[i], "--threads=", 10))
+      options.threads = std::max(1, std::atoi(argv[i] + 10));
+    else if (!std::strncmp(argv[i], "--rounds=", 9))
+      options.rounds = std::max(1, std::atoi(argv[i] + 9));
+    else if (!std::strcmp(argv[i], "--alone"))
+      options.alone = true;
+    else if (!std::strncmp(argv[i], "--depth=", 8))
+      options.depth = std::max(0, std::atoi(argv[i] + 8));
+    else if (!std::strncmp(argv[i], "--size=", 7))
+      std::sscanf(argv[i] + 7, "%dx%d", &options.width_px, &options.height_px);
+    else
+      options.scenes.emplace_back(argv[i]);
+  }
+  if (options.scenes.empty()) options.scenes = {"scene:spheres,triangles=20000"};
+  ThreadPool pool(options.threads);
+  printf("scene,triangles,hybrid,raytrace,embree,embree/hybrid,raytrace/hybrid,id,mark,trace,shade,download\n");
+  for (const std::string& scene : options.scenes) measure(scene, options, pool);
+  return 0;
+}
