@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/uninitialized.h"
+
 namespace hybridrt {
 
 /// Further channels of a picture, under names of their own.
@@ -27,7 +29,7 @@ struct ImageCamera {
 /// four channels is alpha (coverage), which the others are not multiplied by.
 struct Image {
   int width_px = 0, height_px = 0, channels = 0;
-  std::vector<float> data;            ///< width_px * height_px * channels
+  UninitializedVector<float> data;    ///< width_px * height_px * channels
   std::vector<ImageLayer> layers;     ///< kept only by formats that name their channels (EXR)
   std::optional<ImageCamera> camera;  ///< likewise
 
@@ -37,6 +39,14 @@ struct Image {
         height_px(height),
         channels(channel_count),
         data(static_cast<size_t>(width) * height * channel_count, fill) {}
+
+  /// Its pixels are not set, and their memory not touched.
+  static Image uninitialized(int width, int height, int channel_count) {
+    Image image;
+    image.width_px = width, image.height_px = height, image.channels = channel_count;
+    image.data.resize(static_cast<size_t>(width) * height * channel_count);
+    return image;
+  }
 
   size_t pixel_count() const { return static_cast<size_t>(width_px) * height_px; }
   float* pixel(int x, int y) { return &data[(static_cast<size_t>(y) * width_px + x) * channels]; }

@@ -22,7 +22,7 @@ Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const Pix
   if (const auto bad = std::count_if(rgba, rgba + count, unwritten))
     throw error(ErrorKind::device, "the GL driver left {} of {} pixels unwritten", bad, count);
 
-  Image picture(kept.width_px, kept.height_px, with_alpha ? 4 : 3);
+  Image picture = Image::uninitialized(kept.width_px, kept.height_px, with_alpha ? 4 : 3);
   float* out = picture.data.data();
   stats.pixels_hit = stats.pixels_lit = 0;
   for (int y = kept.y_px; y < kept.y_px + kept.height_px; ++y) {

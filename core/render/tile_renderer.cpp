@@ -67,7 +67,7 @@ void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& t
     frame.timings[PassId::id] = binning.elapsed_ms();
 
     const Stopwatch drawing;
-    frame.picture = Image(part.width_px, part.height_px, settings.alpha ? 4 : 3);
+    frame.picture = Image::uninitialized(part.width_px, part.height_px, settings.alpha ? 4 : 3);
     const TileJob job{
         plan, trace, clusters, memory.raster.bins, caster, memory.pixels_for(plan, settings.aovs, frame.picture)};
     std::vector<std::optional<TileWorker>> workers(pool.size());

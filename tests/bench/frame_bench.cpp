@@ -1,7 +1,9 @@
-// Whole frames: the hybrid on the CPU, our own ray tracer and a plain Embree program, on the same scene, view and light.
+// Whole frames: the hybrid on the CPU, our own ray tracer and a plain Embree program, on the same scene, view and
+// light.
 //   frame_bench [--threads=N] [--rounds=N] [--size=1024x768] [--depth=N] [--alone] SCENE...
 // The three take turns, and medians of the rounds are printed in milliseconds, with what Embree's and the ray tracer's
-// frames take over the hybrid's, and the hybrid's passes by the threads' time. --alone: the hybrid only, for a profiler. scripts/cpu_results.py makes a table.
+// frames take over the hybrid's, and the hybrid's passes by the threads' time. --alone: the hybrid only, for a
+// profiler. scripts/cpu_results.py makes a table.
 
 #include <algorithm>
 #include <cstdlib>
@@ -80,8 +82,8 @@ void measure(const std::string& name, const Options& options, ThreadPool& pool) 
     for (size_t i = 0; i < passes.size(); ++i)
       passes[i].push_back(frame.timings.threads_ms[i] > 0 ? frame.timings.threads_ms[i] : frame.timings.pass_ms[i]);
   };
-  render_tiles(bench.scene, facts, topology, settings, needs_caster(facts, settings, false) ? caster.caster.get() : nullptr,
-               pool, next, deliver);
+  render_tiles(bench.scene, facts, topology, settings,
+               needs_caster(facts, settings, false) ? caster.caster.get() : nullptr, pool, next, deliver);
   const double hybrid = median(hybrid_ms);
   printf("%s,%zu,%.2f,%.2f,%.2f,%.2f,%.2f", name.c_str(), bench.scene.triangle_count(), hybrid, median(raytrace_ms),
          median(embree_ms), median(embree_ms) / hybrid, median(raytrace_ms) / hybrid);

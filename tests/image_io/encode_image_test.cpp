@@ -123,8 +123,8 @@ TEST(EncodeImage, AlphaGoesWhereTheFormatTakesItAndColoursStayUnmultiplied) {
   EXPECT_EQ(read_image(EncodedFile(image, "jpg").path).channels, 3);
   EXPECT_EQ(std::lround(read_image(EncodedFile(image, "tif").path).data[0] * 255), 188);
   const Image exr = read_image(EncodedFile(image, "exr").path);
-  EXPECT_EQ(exr.data, std::vector<float>({0.25f, 0.25f, 0.25f, 0.5f, 0.25f, 0.25f, 0.25f, 0.5f, 0.25f, 0.25f, 0.25f,
-                                          0.5f, 0.25f, 0.25f, 0.25f, 0.5f}))
+  EXPECT_EQ(exr.data, UninitializedVector<float>({0.25f, 0.25f, 0.25f, 0.5f, 0.25f, 0.25f, 0.25f, 0.5f, 0.25f, 0.25f,
+                                                  0.25f, 0.5f, 0.25f, 0.25f, 0.25f, 0.5f}))
       << "times alpha";
   for (const char* format : {"png", "tif", "exr"}) EXPECT_TRUE(keeps_alpha(format)) << format;
   EXPECT_FALSE(keeps_alpha("jpg"));

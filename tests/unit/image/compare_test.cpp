@@ -117,7 +117,7 @@ TEST(DifferenceImage, IsAmplifiedClampedAndOpaque) {
 
 TEST(DifferenceImage, NaNShowsWhite) {
   Image a(1, 1, 1, 0.5f), b(1, 1, 1, std::numeric_limits<float>::quiet_NaN());
-  EXPECT_EQ(difference_image(a, b, 10).data, std::vector<float>(3, 1.0f));
+  EXPECT_EQ(difference_image(a, b, 10).data, UninitializedVector<float>(3, 1.0f));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ TEST(BoxFilter, AveragesTheCoveredArea) {
   Image image(4, 2, 1);
   image.data = {0, 1, 2, 3,  //
                 4, 5, 6, 7};
-  EXPECT_EQ(box_filtered(image, 2, 1).data, (std::vector<float>{2.5f, 4.5f}));
+  EXPECT_EQ(box_filtered(image, 2, 1).data, (UninitializedVector<float>{2.5f, 4.5f}));
   const Image thirds = box_filtered(image, 3, 1);  // each covers one and a third column
   EXPECT_NEAR(thirds.data[0], (2.0 + 3.0 / 3) / (4.0 / 3), 1e-5);
   EXPECT_NEAR(thirds.data[1], 3.5, 1e-5);

@@ -25,7 +25,7 @@ TEST(PictureFromRgba, AlphaTakesTheBackgroundsPlace) {
   TraceStats stats;
   const Image picture = picture_from_rgba(rgba.data(), 3, 1, {0, 0, 3, 1}, true, stats);
   EXPECT_EQ(picture.channels, 4);
-  EXPECT_EQ(picture.data, (std::vector<float>{1, 2, 3, 1, 0, 0, 0, 0, 7, 8, 9, 1}));
+  EXPECT_EQ(picture.data, (UninitializedVector<float>{1, 2, 3, 1, 0, 0, 0, 0, 7, 8, 9, 1}));
 }
 
 TEST(PictureFromRgba, PixelsThatWereNeverWrittenThrow) {
