@@ -3,7 +3,7 @@
 //   frame_bench [--threads=N] [--rounds=N] [--size=1024x768] [--depth=N] [--alone] SCENE...
 // The three take turns, and medians of the rounds are printed in milliseconds, with what Embree's and the ray tracer's
 // frames take over the hybrid's, and the hybrid's passes by the threads' time. --alone: the hybrid only, for a
-// profiler. scripts/cpu_results.py makes a table.
+// profiler.
 
 #include <algorithm>
 #include <cstdlib>

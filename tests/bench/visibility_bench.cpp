@@ -1,8 +1,7 @@
 // Times the triangle ids of a picture: the rasteriser against Embree's packets and streams, on the same rays.
 //   visibility_bench [--threads=N] [--rounds=N] [--size=1024x768] [--target=NAME] SCENE...
 // Each scene is seen as in its pictures, from its middle, and from low beside it. Candidates take turns; medians of the
-// rounds are printed in milliseconds, and the ratio of Embree's fastest to the rasteriser's. scripts/cpu_results.py
-// makes a table of it.
+// rounds are printed in milliseconds, and the ratio of Embree's fastest to the rasteriser's.
 
 #include <algorithm>
 #include <cmath>

@@ -35,14 +35,15 @@ View enlarged(View view, bool quick) {
   return view;
 }
 
-Tally prove(const Scene& scene, const Options& options, ThreadPool& pool) {
+template <typename NextView>
+Tally prove(const Scene& scene, const Options& options, ThreadPool& pool, const NextView& next_view) {
   const KdTree tree = build_kd_tree(scene, pool);
   const std::unique_ptr<RayCaster<double>> caster = make_reference_caster(tree);
   const Clusters clusters = make_clusters(scene, pool);
   Random random(options.seed);
   Tally tally;
   for (int i = 0; i < options.views; ++i) {
-    const View view = enlarged(random_view(scene, random), options.quick);
+    const View view = next_view(random);
     const std::vector<uint32_t> truth = reference_ids(*caster, view, pool);
     const std::vector<uint32_t> ids = rasterized_ids(scene, clusters, view, pool);
     tally.pixels += ids.size();
@@ -96,10 +97,13 @@ int main(int argc, char** argv) {
 
   ThreadPool pool(options.threads);
   Tally total;
-  const auto add = [&](const std::string& name, const Scene& scene) {
-    const Tally tally = prove(scene, options, pool);
+  const auto add_views = [&](const std::string& name, const Scene& scene, const auto& next_view) {
+    const Tally tally = prove(scene, options, pool, next_view);
     print(name.c_str(), tally);
     total.pixels += tally.pixels, total.hits += tally.hits, total.wrong += tally.wrong;
+  };
+  const auto add = [&](const std::string& name, const Scene& scene) {
+    add_views(name, scene, [&](Random& random) { return enlarged(random_view(scene, random), options.quick); });
   };
   printf("%-44s %12s %12s %6s\n", "scene", "pixels", "hits", "wrong");
   const int many = options.quick ? 500 : 40000;
@@ -109,6 +113,18 @@ int main(int argc, char** argv) {
   add("soup at (10^6, -2 10^6, 3 10^5)", transformed(random_soup(4, many, 0.1f), 100, vec3(1e6f, -2e6f, 3e5f)));
   add("one plane", coplanar_field(5, 800));
   add("doubled, turned", doubled_faces(6));
+  const int cells = options.quick ? 64 : 192;
+  add_views("centres beside edges by 1e-9 to 1e-3 pixel", sheet_on_centers(cells),
+            [&](Random& random) { return sheet_view_beside(cells, random); });
+  // So large that every triangle takes the homogeneous way.
+  constexpr float kHuge = 0x1p54f;
+  add_views("the same, enlarged by 2^54", transformed(sheet_on_centers(cells), kHuge, vec3(0)), [&](Random& random) {
+    View view = sheet_view_beside(cells, random);
+    view.eye *= kHuge;
+    return view;
+  });
+  add_views("depths that floats hardly tell apart", nearly_one_plane(8),
+            [](Random& random) { return view_of_plane(random); });
   add("triples", with_duplicates(7));
   if (options.scenes.empty())
     for (const char* name : {"chess", "thin", "spheres"})

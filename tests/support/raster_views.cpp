@@ -106,6 +106,38 @@ View sheet_view(int cells, double height) {
   return view;
 }
 
+View sheet_view_beside(int cells, Random& random) {
+  View view = sheet_view(cells, std::pow(10.0, random.between(0.3f, 3)));
+  const double pixel = 0.25 * std::pow(10.0, random.between(-9, -3));  // a cell has four
+  view.eye += dvec3(pixel * random.between(-1, 1), pixel * random.between(-1, 1), 0);
+  return view;
+}
+
+Scene nearly_one_plane(uint32_t seed) {
+  Random random(seed);
+  Scene scene;
+  const auto corner = [&](const vec3& p, float size) {
+    vec3 q = p + size * random.in_cube(-1, 1);
+    q.z = 0.25f + 3e-8f * static_cast<float>(random.below(40));
+    return q;
+  };
+  for (int i = 0; i < 600; ++i) {
+    const vec3 p = random.in_cube(0, 1);
+    const float size = std::pow(10.0f, random.between(-1.5f, 0));
+    add_triangle(scene, corner(p, size), corner(p, size), corner(p, size));
+  }
+  scene.bounds = compute_bounds(scene);
+  return scene;
+}
+
+View view_of_plane(Random& random) {
+  Camera camera;
+  camera.eye_world = dvec3(random.in_cube(-1, 2)) + dvec3(0, 0, 1.5);
+  camera.target_world = dvec3(random.unit(), random.unit(), 0.25);
+  camera.fov_y_rad = 0.6;
+  return make_view(camera, dvec3(0), 200, 150);
+}
+
 Scene huge_and_small(uint32_t seed) {
   Random random(seed);
   Scene scene;

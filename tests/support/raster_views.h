@@ -19,6 +19,9 @@ std::vector<uint32_t> rasterized_ids(const Scene& scene, const Clusters& cluster
 Scene doubled_faces(uint32_t seed);  ///< every triangle again, wound the other way and from another corner
 Scene sheet_on_centers(int cells);   ///< seen by sheet_view(), vertices and edges fall on pixel centres
 View sheet_view(int cells, double height);
-Scene huge_and_small(uint32_t seed);  ///< sizes from 1e-2 to 1e6
+View sheet_view_beside(int cells, Random& random);  ///< centres miss vertices and edges by 1e-9 to 1e-3 of a pixel
+Scene nearly_one_plane(uint32_t seed);              ///< overlapping triangles, as far apart as floats can tell
+View view_of_plane(Random& random);                 ///< of it, as a rule aslant
+Scene huge_and_small(uint32_t seed);                ///< sizes from 1e-2 to 1e6
 
 }  // namespace hybridrt

@@ -87,7 +87,9 @@ void expect_as_one_by_one(const Scene& scene) {
       const vec3 expected = shaded_alone(job, points, i, lit[i]);
       for (int k = 0; k < 3; ++k) {
         EXPECT_NEAR(colors[k][i], expected[k], 1e-6f) << "point " << i;
-        if (!is_first) EXPECT_EQ(colors[k][i], first_colors[k][i]) << "point " << i;
+        if (!is_first) {
+          EXPECT_EQ(colors[k][i], first_colors[k][i]) << "point " << i;
+        }
         first_colors[k][i] = colors[k][i];
       }
     }

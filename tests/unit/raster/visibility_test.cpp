@@ -83,6 +83,32 @@ TEST(Visibility, DecidesCentersOnVerticesAndEdges) {
   for (const double height : {3.0, 24.0, 1000.0}) EXPECT_EQ(oracle.wrong_pixels(sheet_view(24, height)), 0) << height;
 }
 
+TEST(Visibility, DecidesCentersBesideEdgesByLessThanRounding) {
+  Oracle oracle(sheet_on_centers(64));
+  Random random(17);
+  for (int i = 0; i < 60; ++i) ASSERT_EQ(oracle.wrong_pixels(sheet_view_beside(64, random)), 0) << i;
+}
+
+TEST(Visibility, DecidesThemForTrianglesThatAreTooLargeForFloatsToo) {
+  constexpr float kHuge = 0x1p54f;
+  Oracle oracle(transformed(sheet_on_centers(64), kHuge, vec3(0)));
+  Random random(17);
+  for (int i = 0; i < 30; ++i) {
+    View view = sheet_view_beside(64, random);
+    view.eye *= kHuge;
+    ASSERT_EQ(oracle.wrong_pixels(view), 0) << i;
+  }
+}
+
+TEST(Visibility, DecidesDepthsThatFloatsHardlyTellApart) {
+  Oracle oracle(nearly_one_plane(18));
+  Random random(19);
+  for (int i = 0; i < 40; ++i) {
+    const View view = view_of_plane(random);
+    ASSERT_EQ(oracle.wrong_pixels(view), 0) << i << ": " << described(view);
+  }
+}
+
 TEST(Visibility, OfExactDuplicatesTheOneThatFacesTheEyeIsSeen) {
   Scene scene;
   add_triangle(scene, vec3(0, 0, 0), vec3(0, 1, 0), vec3(1, 0, 0));  // clockwise as seen from +z
