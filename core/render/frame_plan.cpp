@@ -22,12 +22,14 @@ SceneFacts make_scene_facts(const Scene& scene) {
   return facts;
 }
 
+bool repairs_ids(const RenderSettings& s) {
+  return s.method == Method::hybrid && uses_gl(s) && (s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays);
+}
+
 bool needs_caster(const SceneFacts& facts, const RenderSettings& s, bool light_moves) {
   if (s.method != Method::hybrid) return s.method != Method::raster;
   const bool scatters = s.reflection_depth > 0 && !facts.scattering_bounds.empty();
-  if (s.forms == PassForms::cpu && !uses_shadow_map(s)) return scatters;
-  return s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays ||  // primary hits are repaired
-         (s.shadows == ShadowMode::blur && light_moves) || scatters;
+  return (s.shadows == ShadowMode::blur && light_moves) || scatters;
 }
 
 bool may_be_seen(const View& view, const Aabb& box) {
@@ -65,8 +67,7 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.mark_exact = hybrid && shadows == ShadowMode::exact;
   plan.trace_shadows = hybrid && (plan.mark_blur || plan.mark_exact || shadows == ShadowMode::rays);
   // The exact modes also repair which triangle is seen, whatever the light.
-  plan.repair = hybrid && settings.forms == PassForms::gl &&
-                (settings.shadows == ShadowMode::exact || settings.shadows == ShadowMode::rays);
+  plan.repair = repairs_ids(settings);
   plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
 
   // Light buffers are worth building for a few rays only if the next frames can use them too.

@@ -23,6 +23,9 @@ struct SceneFacts {
 };
 SceneFacts make_scene_facts(const Scene& scene);
 
+/// Whether the GL's ids are corrected.
+bool repairs_ids(const RenderSettings& settings);
+
 /// True if some frame of the scene may need rays that no light buffer answers, so that a caster must be built.
 bool needs_caster(const SceneFacts& facts, const RenderSettings& settings, bool light_moves);
 

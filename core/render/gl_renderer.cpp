@@ -53,6 +53,7 @@ GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shad
       picture_readback_(gl_, sizeof(vec4) * static_cast<size_t>(part_.width_px) * part_.height_px,
                         "downloading the picture"),
       light_buffers_(scene, topology, pool) {
+  if (repairs_ids(s)) clusters_ = make_clusters(scene, pool);
   HRT_CHECK(light_count <= HRT_MAX_LIGHTS);
   if (uses_shadow_map(s)) {
     for (size_t l = 0; l < light_count; ++l) {
@@ -179,13 +180,14 @@ void GlRenderer::rasterize(FrameSlot& slot) {
 void GlRenderer::trace(FrameSlot& slot) {
   const FramePlan& plan = slot.plan;
   if (!plan.trace()) return;
-  HRT_CHECK(caster_ || (plan.light_buffers && !plan.trace_scattered && !plan.repair));
+  HRT_CHECK(caster_ || !(plan.trace_scattered || (plan.trace_shadows && !plan.light_buffers)));
   CpuResults& cpu = slot.cpu;
   const Stopwatch stopwatch;
   RepairStats repair;
   double repair_ms = 0;
   if (plan.repair) {
-    repair = repair_primary_hits(scene_, plan.view, *caster_, pool_, slot.rasterised_ids(), slot.repaired_ids);
+    repair = repair_primary_hits(scene_, clusters_, plan.view, pool_, raster_memory_, slot.rasterised_ids(),
+                                 slot.repaired_ids);
     repair_ms = stopwatch.elapsed_ms();
   }
   TraceJob job = make_trace_job(scene_, plan, settings_);
@@ -201,7 +203,7 @@ void GlRenderer::trace(FrameSlot& slot) {
   if (plan.trace_shadows && !plan.mark_exact) pixels.lit = slot.lit_pixels;
   if (plan.trace_scattered) pixels.traced = slot.traced_pixels;
   if (!pixels.lit.empty() || !pixels.traced.empty()) cpu.stats.add(trace_pass(job, caster_, pool_, pixels));
-  cpu.stats.pixels_suspect = repair.suspects;
+  cpu.stats.pixels_suspect = repair.checked;
   cpu.stats.pixels_repaired = repair.repaired;
   cpu.stats.repair_ms = repair_ms;
   cpu.trace_ms = stopwatch.elapsed_ms() - cpu.light_buffer_ms - cpu.mark_ms;

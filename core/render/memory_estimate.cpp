@@ -80,8 +80,8 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
   if (uses_gl(s))
     estimate.gpu_scene = geometry_bytes(scene) + scene.materials.size() * HRT_MATERIAL_TEXELS * sizeof(vec4);
   const bool kd_tree = s.accel == Accel::kdtree || s.method == Method::reference;
-  if (s.forms == PassForms::cpu && (s.method == Method::hybrid || s.method == Method::raster))
-    estimate.accelerator = scene.triangle_count() * kClusterBytesPerTriangle;
+  const bool on_cpu = s.forms == PassForms::cpu && (s.method == Method::hybrid || s.method == Method::raster);
+  if (on_cpu || repairs_ids(s)) estimate.accelerator = scene.triangle_count() * kClusterBytesPerTriangle;
   if (needs_caster(facts, s, light_moves))
     estimate.accelerator += scene.triangle_count() * (kd_tree ? kKdTreeBytesPerTriangle : kEmbreeBytesPerTriangle);
   const bool scatters = s.reflection_depth > 0 && !facts.scattering_bounds.empty();

@@ -51,7 +51,7 @@ StepNote repair_note(const FramePlan& plan, const RenderSettings& s) {
   constexpr std::string_view kStep = "pass 4 primary hits";
   if (!uses_gl(s)) return left_out(kStep, "the CPU's rasteriser is exact");
   if (!plan.repair) return left_out(kStep, "the raster's triangles are taken as they are");
-  return {kStep, Runs::each_frame, "where the raster may have snapped a triangle aside"};
+  return {kStep, Runs::each_frame, "the CPU's exact rasteriser corrects what the GL snapped aside"};
 }
 
 StepNote shadow_rays_note(const FramePlan& plan, const RenderSettings& s) {

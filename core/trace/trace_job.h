@@ -46,7 +46,7 @@ struct TraceStats {
   double secondary_cpu_ms = 0;  ///< thread time of everything after the primary generation
 
   int64_t pixels_suspect = 0, pixels_repaired = 0;  ///< see RepairStats
-  double repair_ms = 0;                             ///< wall time of repair_primary_hits()
+  double repair_ms = 0;                             ///< wall time of that
 
   int64_t pixels_lit = 0;  ///< those of pixels_hit at which some light arrives
 

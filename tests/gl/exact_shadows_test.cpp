@@ -24,22 +24,11 @@ class ExactShadows : public testing::TestWithParam<const char*> {
     std::string why;
     if (!has_context({}, &why)) GTEST_SKIP() << why;
   }
-
-  /// Two triangles that the ray meets at the same place count as one.
-  static bool same_place(const Scene& scene, const View& view, int x, int y, uint32_t a, uint32_t b) {
-    if (a == kNoTriangle || b == kNoTriangle) return false;
-    const ShearedRay<double> ray = shear_ray(view.eye, glm::normalize(view.pixel_dir(x, y)));
-    TriangleHit<double> hit_a, hit_b;
-    return intersect_triangle(ray, scene.vertex(a, 0), scene.vertex(a, 1), scene.vertex(a, 2), hit_a) &&
-           intersect_triangle(ray, scene.vertex(b, 0), scene.vertex(b, 1), scene.vertex(b, 2), hit_b) &&
-           std::abs(hit_a.t - hit_b.t) <= 1e-12 * hit_a.t;
-  }
 };
 
 TEST_P(ExactShadows, AreThoseOfTheReference) {
   RenderJob job = orbit_job(GetParam(), 1, 512, 384);
   job.settings.aovs = kAovId | kAovShadow | kAovMarked;
-  const View view = make_view(camera_at(job.motion, 1), job.scene.origin_world, 512, 384);
   int64_t receivers = 0, wrong_shadows = 0, wrong_triangles = 0, marked = 0;
   for (const dvec3& toward : lights(camera_at(job.motion, 1))) {
     job.lights.lights[0].toward = glm::normalize(toward);
@@ -57,14 +46,11 @@ TEST_P(ExactShadows, AreThoseOfTheReference) {
       if (ids[i] == true_ids[i])
         wrong_shadows += lit[i] != true_lit[i];
       else
-        wrong_triangles +=
-            !same_place(job.scene, view, static_cast<int>(i % 512), static_cast<int>(i / 512), ids[i], true_ids[i]);
+        ++wrong_triangles;
     }
   }
   EXPECT_EQ(wrong_shadows, 0);
-  // A wire so thin that pass 2 misses it in all nine pixels around makes none of them a suspect.
-  const bool has_wires = std::string_view(GetParam()).starts_with("scene:thin");
-  EXPECT_LE(wrong_triangles, receivers / (has_wires ? 5000 : 50000)) << "of " << receivers;
+  EXPECT_EQ(wrong_triangles, 0) << "of " << receivers;
   EXPECT_GT(receivers, 150000);
   EXPECT_LT(marked, receivers) << "pass 3 answered nothing";
   EXPECT_GT(marked, 0) << "pass 4 was never asked";

@@ -1,11 +1,9 @@
-// Small things on a ground so large that single precision, the raster's and the rays', misplaces it.
+// Small things on a ground so large that single precision misplaces it.
 
-#include "core/passes/misplaced_triangles.h"
+#include "core/passes_cpu/repair_primary.h"
 
 #include <gtest/gtest.h>
 
-#include "core/passes_cpu/repair_primary.h"
-#include "core/trace/kd_caster.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/trace_scenes.h"
 
@@ -38,22 +36,8 @@ std::vector<uint32_t> true_ids(const Scene& scene, const View& view) {
   return ids;
 }
 
-TEST(MisplacedTriangles, AreFoundIfAndOnlyIfTheyReachFarFromNearTheEye) {
-  Random random(3);
-  const Scene large = on_large_ground(1, 1e6f), usual = on_large_ground(1, 500);
-  for (int i = 0; i < 20; ++i) {
-    const View view = near_view(large, random);
-    const uint32_t ground = static_cast<uint32_t>(large.triangle_count()) - 2;
-    for (uint32_t id : misplaced_triangles(large, view)) EXPECT_GE(id, ground);
-    EXPECT_FALSE(misplaced_triangles(large, view).empty());
-    EXPECT_TRUE(may_be_misplaced(large, view, 5));
-    EXPECT_TRUE(misplaced_triangles(usual, view).empty());
-    EXPECT_FALSE(may_be_misplaced(usual, view, 5));
-  }
-}
-
 // Whatever the raster made of the picture, even where it tore a hole of many pixels.
-TEST(MisplacedTriangles, TornPicturesAreRepaired) {
+TEST(RepairPrimary, TornPicturesAreRepaired) {
   ThreadPool pool(1);
   for (uint32_t seed = 0; seed < 12; ++seed) {
     Random random(seed);
@@ -67,14 +51,14 @@ TEST(MisplacedTriangles, TornPicturesAreRepaired) {
         torn[y * kWidth_px + x] =
             random.below(2) ? kNoTriangle : random.below(static_cast<uint32_t>(scene.triangle_count()));
 
-    const KdTree tree = build_kd_tree(scene, pool);
     std::vector<uint32_t> repaired(torn.size());
+    RasterMemory memory;
     const RepairStats stats =
-        repair_primary_hits(scene, view, *make_kd_caster(tree, LeafKernel::simd), pool, torn, repaired);
-    size_t wrong = 0;
-    for (size_t i = 0; i < truth.size(); ++i) wrong += repaired[i] != truth[i];
-    EXPECT_EQ(wrong, 0) << "seed " << seed;
-    EXPECT_EQ(stats.suspects, kWidth_px * kHeight_px) << "seed " << seed;
+        repair_primary_hits(scene, make_clusters(scene, pool), view, pool, memory, torn, repaired);
+    int64_t torn_pixels = 0;
+    for (size_t i = 0; i < truth.size(); ++i) torn_pixels += torn[i] != truth[i];
+    EXPECT_EQ(repaired, truth) << "seed " << seed;
+    EXPECT_EQ(stats.repaired, torn_pixels) << "seed " << seed;
   }
 }
 
