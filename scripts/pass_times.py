@@ -23,6 +23,7 @@ ROWS = [
     ("OSMesa, 1 in flight", ["--gl", "osmesa", "--frames-in-flight", "1"]),
     ("OSMesa, 2 in flight", ["--gl", "osmesa", "--frames-in-flight", "2"]),
     ("EGL, shadows rays, 1 in flight", ["--gl", "egl", "--shadows", "rays", "--frames-in-flight", "1"]),
+    ("all passes on the CPU", ["--gl", "off"]),
     ("EGL, kd-tree, 1 in flight", ["--gl", "egl", "--accel", "kdtree", "--frames-in-flight", "1"]),
     ("raytrace, Embree (the rival)", ["--method", "raytrace"]),
     ("raytrace, kd-tree", ["--method", "raytrace", "--accel", "kdtree"]),

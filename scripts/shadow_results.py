@@ -48,7 +48,7 @@ class Runner:
     def render(self, name, scene, light, options):
         """The timings of the second frame, and its shadows and ids."""
         out = self.folder / name
-        command = [self.binary, "render", scene, "-q", "--frames", "2", "--frames-in-flight", "1", "--aov", "shadow,id",
+        command = [self.binary, "render", scene, "-q", "--frames", "2", "--frames-in-flight", "1", "--gl", "egl", "--aov", "shadow,id",
                    "--light", ",".join(f"{x:.6f}" for x in light), "-o", out / "p.#.ppm", *self.options,
                    *options]
         subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
