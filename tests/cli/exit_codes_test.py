@@ -157,6 +157,19 @@ class DeviceTest(CliTestCase):
         self.refuse("--gl", "egl", says=("tried", "--method raytrace"),
                     env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"})
 
+    def test_off_loads_no_gl(self):
+        done = self.succeed("render", SCENE, *SMALL, "-q", "--gl", "off", env={"LD_DEBUG": "libs"})
+        loaded = [line for line in done.stderr.splitlines() if "calling init" in line]
+        self.assertTrue(any("libembree" in line for line in loaded))
+        for library in ("libEGL", "libOSMesa", "gallium", "swrast", "libLLVM"):  # OpenImageIO may load libGL itself
+            self.assertFalse(any(library in line for line in loaded), library)
+
+    def test_off_contradicts_what_asks_for_a_gl(self):
+        self.fail_with(2, "render", SCENE, "--gl", "off", "--device", "egl:0", says=("--gl off", "--device"))
+        self.fail_with(2, "render", SCENE, "--gl", "off", "--require-hardware", says="--require-hardware")
+        self.fail_with(2, "render", SCENE, "--gl", "off", "--shadows", "map", says=("map", "--gl egl"))
+        self.refuse("--require-hardware", env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"}, says="tried")
+
     def test_raytracing_needs_no_gl(self):
         self.render("--method", "raytrace", env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"})
 
