@@ -10,7 +10,6 @@
 #include "shaders/shared.h"
 
 namespace hybridrt {
-namespace {
 
 uint8_t mask_of(CellAnswer answer) {
   switch (answer) {
@@ -21,6 +20,8 @@ uint8_t mask_of(CellAnswer answer) {
   }
   return HRT_MASK_MARKED;
 }
+
+namespace {
 
 /// Queries to one light that are asked together.
 constexpr size_t kBatch = 256;

@@ -14,6 +14,9 @@ struct MarkedShadows {
   std::vector<Chunk> chunks;  ///< each of neighbouring pixels, light after light; kept to reuse their memory
 };
 
+/// What a cell says of a pixel, as bits of the mask (shaders/shared.h).
+uint8_t mask_of(CellAnswer answer);
+
 /// Pass 3 of `--shadows exact` (the paper's pass 3 guesses: passes_gl/mark_boundary.h). Where a cell of the light
 /// buffer answers for all points in it (CellAnswer), the pixel has its answer. The others are marked for pass 4, and so
 /// are pixels whose query may start inside a closed body. `ids`: one element per pixel, rows from the top; `mask` and

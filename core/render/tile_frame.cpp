@@ -4,22 +4,13 @@
 #include <utility>
 
 #include "core/base/timing.h"
+#include "core/passes_cpu/mark_boundary.h"
 #include "core/trace/surface_at.h"
 #include "core/trace/texture_lookup.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
 namespace {
-
-uint8_t mask_of(CellAnswer answer) {
-  switch (answer) {
-    case CellAnswer::lit: return HRT_MASK_LIT;
-    case CellAnswer::shadow: return 0;
-    case CellAnswer::inside: return HRT_MASK_MARKED | HRT_MASK_INSIDE;
-    case CellAnswer::unknown: break;
-  }
-  return HRT_MASK_MARKED;
-}
 
 /// Adds the time since the last call to a pass.
 class PassClock {

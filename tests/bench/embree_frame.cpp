@@ -1,10 +1,9 @@
 #include "tests/bench/embree_frame.h"
 
-#include <embree3/rtcore.h>
-
 #include "core/passes_cpu/shade.h"
 #include "core/trace/ray_generations.h"
 #include "core/trace/scatter.h"
+#include "tests/bench/embree_scene.h"
 
 namespace hybridrt {
 namespace {
@@ -142,38 +141,16 @@ class Painter {
 
 }  // namespace
 
-struct EmbreeFrame::Handles {
-  RTCDevice device;
-  RTCScene scene;
-};
+EmbreeFrame::EmbreeFrame(const Scene& scene, int threads)
+    : scene_(std::make_unique<EmbreeScene>(scene, threads, /*robust=*/false)) {}
 
-EmbreeFrame::EmbreeFrame(const Scene& scene, int threads) : handles_(new Handles) {
-  handles_->device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
-  handles_->scene = rtcNewScene(handles_->device);
-  rtcSetSceneBuildQuality(handles_->scene, RTC_BUILD_QUALITY_HIGH);
-  RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                              sizeof(vec3), scene.positions.size()));
-  auto* indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                              sizeof(uvec3), scene.triangle_count()));
-  std::copy(scene.positions.begin(), scene.positions.end(), vertices);
-  std::copy(scene.triangle_positions.begin(), scene.triangle_positions.end(), indices);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(handles_->scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(handles_->scene);
-}
-
-EmbreeFrame::~EmbreeFrame() {
-  rtcReleaseScene(handles_->scene);
-  rtcReleaseDevice(handles_->device);
-}
+EmbreeFrame::~EmbreeFrame() = default;
 
 void EmbreeFrame::render(const TraceJob& job, ThreadPool& pool, std::span<vec4> picture) const {
   const int tiles_x = (job.view.width_px + kTile_px - 1) / kTile_px;
   const int tiles_y = (job.view.height_px + kTile_px - 1) / kTile_px;
   pool.run(static_cast<size_t>(tiles_x) * tiles_y, [&](size_t tile, int) {
-    Painter painter(job, handles_->scene);
+    Painter painter(job, scene_->get());
     const int x0 = static_cast<int>(tile) % tiles_x * kTile_px, y0 = static_cast<int>(tile) / tiles_x * kTile_px;
     for (int y = y0; y < std::min(y0 + kTile_px, job.view.height_px); y += kBlock_px)
       for (int x = x0; x < std::min(x0 + kTile_px, job.view.width_px); x += kBlock_px) painter.block(x, y, picture);

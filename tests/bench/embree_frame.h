@@ -6,6 +6,8 @@
 
 namespace hybridrt {
 
+class EmbreeScene;
+
 /// The baseline: a frame as a plain program on top of Embree would render it, in packets of 16 primary and 16 shadow
 /// rays, mirrors and glass ray by ray, with our Phong shading (a packet at once) and scattering. It shares no tracing
 /// code with the product.
@@ -18,8 +20,7 @@ class EmbreeFrame {
   void render(const TraceJob& job, ThreadPool& pool, std::span<vec4> picture) const;
 
  private:
-  struct Handles;
-  std::unique_ptr<Handles> handles_;
+  std::unique_ptr<EmbreeScene> scene_;
 };
 
 }  // namespace hybridrt

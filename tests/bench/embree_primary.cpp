@@ -1,10 +1,9 @@
 #include "tests/bench/embree_primary.h"
 
 #include <algorithm>
-#include <embree3/rtcore.h>
 #include <limits>
-#include <string>
-#include <vector>
+
+#include "tests/bench/embree_scene.h"
 
 namespace hybridrt {
 namespace {
@@ -102,34 +101,10 @@ void find_in_tile_by_streams(RTCScene scene, const View& view, const Rays& rays,
 
 }  // namespace
 
-struct EmbreePrimary::Handles {
-  RTCDevice device;
-  RTCScene scene;
-};
+EmbreePrimary::EmbreePrimary(const Scene& scene, int threads, bool robust)
+    : scene_(std::make_unique<EmbreeScene>(scene, threads, robust)) {}
 
-EmbreePrimary::EmbreePrimary(const Scene& scene, int threads, bool robust) : handles_(new Handles) {
-  handles_->device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
-  handles_->scene = rtcNewScene(handles_->device);
-  rtcSetSceneBuildQuality(handles_->scene, RTC_BUILD_QUALITY_HIGH);
-  if (robust) rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-  auto* vertices = static_cast<vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                              sizeof(vec3), scene.positions.size()));
-  auto* indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                              sizeof(uvec3), scene.triangle_count()));
-  std::copy(scene.positions.begin(), scene.positions.end(), vertices);
-  std::copy(scene.triangle_positions.begin(), scene.triangle_positions.end(), indices);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(handles_->scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(handles_->scene);
-}
-
-EmbreePrimary::~EmbreePrimary() {
-  rtcReleaseScene(handles_->scene);
-  rtcReleaseDevice(handles_->device);
-}
+EmbreePrimary::~EmbreePrimary() = default;
 
 void EmbreePrimary::find(const View& view, int packet, ThreadPool& pool, std::span<uint32_t> ids) const {
   const int tiles_x = (view.width_px + kTileWidth_px - 1) / kTileWidth_px;
@@ -139,10 +114,10 @@ void EmbreePrimary::find(const View& view, int packet, ThreadPool& pool, std::sp
     const int x = static_cast<int>(tile) % tiles_x * kTileWidth_px,
               y = static_cast<int>(tile) / tiles_x * kTileHeight_px;
     switch (packet) {
-      case 4: return find_in_tile<4>(handles_->scene, view, rays, x, y, ids);
-      case 8: return find_in_tile<8>(handles_->scene, view, rays, x, y, ids);
-      case 16: return find_in_tile<16>(handles_->scene, view, rays, x, y, ids);
-      default: return find_in_tile_by_streams(handles_->scene, view, rays, x, y, ids);
+      case 4: return find_in_tile<4>(scene_->get(), view, rays, x, y, ids);
+      case 8: return find_in_tile<8>(scene_->get(), view, rays, x, y, ids);
+      case 16: return find_in_tile<16>(scene_->get(), view, rays, x, y, ids);
+      default: return find_in_tile_by_streams(scene_->get(), view, rays, x, y, ids);
     }
   });
 }

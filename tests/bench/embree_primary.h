@@ -9,6 +9,8 @@
 
 namespace hybridrt {
 
+class EmbreeScene;
+
 /// The baseline for triangle ids: primary rays by Embree alone, in packets of neighbouring pixels.
 class EmbreePrimary {
  public:
@@ -19,8 +21,7 @@ class EmbreePrimary {
   void find(const View& view, int packet, ThreadPool& pool, std::span<uint32_t> ids) const;
 
  private:
-  struct Handles;
-  std::unique_ptr<Handles> handles_;
+  std::unique_ptr<EmbreeScene> scene_;
 };
 
 }  // namespace hybridrt
