@@ -68,13 +68,18 @@ std::optional<CameraCourse> named_course(const RenderOptions& o, const SceneSour
   return still;
 }
 
+/// The job's caster, or a new one.
+SceneCaster<float> caster_of(const RenderJob& job, ThreadPool& pool) {
+  return job.caster.caster ? job.caster : make_scene_caster(job.scene, job.settings.accel, pool);
+}
+
 /// What a camera of the user's stands in: a closed room, where it carries the default light, or a solid.
 void look_at_surroundings(const RenderOptions& o, const SceneSource& source, const RenderJob& job, const Aabb& framed,
                           ThreadPool& pool, ChosenCamera& chosen, Warnings& warnings) {
   const Camera first = camera_at({chosen.course, job.motion.sequence}, job.motion.sequence.first);
   const vec3 eye(first.eye_world - job.scene.origin_world);
   if (!framed.holds(eye)) return;
-  chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
+  chosen.caster = caster_of(job, pool);
   const World world{job.scene, job.topology, framed, *chosen.caster.caster};
   if (is_in_solid(world, eye))
     warnings.push_back("the camera is inside a solid body, whose inside is all it sees; check --eye and --up-axis");
@@ -94,7 +99,7 @@ ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, co
     chosen.course = std::move(*named);
     look_at_surroundings(o, source, job, framing.bounds, pool, chosen, warnings);
   } else {
-    chosen.caster = make_scene_caster(job.scene, job.settings.accel, pool);
+    chosen.caster = caster_of(job, pool);
     hint_at_up_axis(o, source, framing.bounds, warnings);
     warn_of_stray(job.scene, framing, warnings);
     const DefaultView view =

@@ -32,9 +32,7 @@ void require_room_for_run(const RenderJob& job, const SceneSource& source, size_
 
 int thread_count(const RenderOptions& options) { return options.threads.value_or(allowed_processors()); }
 
-RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, ThreadPool& pool, Warnings& warnings,
-                          LoadProgress* progress) {
-  RenderJob job;
+void set_settings(RenderJob& job, const RenderOptions& o, const SceneSource& source) {
   job.settings = finished_settings(o);
   job.settings.background = o.background.value_or(source.background.value_or(job.settings.background));
   job.frames = parse_frame_spec(o.frames);
@@ -43,21 +41,35 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
   job.settings.forms = forms.forms, job.gl = forms.gl, job.forms_reason = forms.reason;
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
   job.most_bytes = o.most_bytes.value_or(allowed_memory());
+}
 
-  const size_t lights = light_count(o, source);
-  require_room_for_frames(job.settings, lights, pool.size(), job.frames.count(), job.most_bytes);
+Framing set_loaded_scene(RenderJob& job, const RenderOptions& o, const SceneSource& source, ThreadPool& pool,
+                         Warnings& warnings, LoadProgress* progress) {
   Scene scene = load_scene(source, o.up_axis, pool, warnings, {job.most_bytes, progress, read_texels, o.linear_colors});
   const Framing framing = frame_scene(scene);
   if (o.ground) add_ground(scene, framing.bounds);
-  set_scene(job, std::move(scene), pool, warnings);
-  require_room_for_run(job, source, lights, pool.size());
+  set_scene(job, std::move(scene), pool, warnings, o.reflection_percent);
+  require_room_for_run(job, source, light_count(o, source), pool.size());
+  return framing;
+}
 
+void set_camera_and_lights(RenderJob& job, const RenderOptions& o, const SceneSource& source, const Framing& framing,
+                           ThreadPool& pool, Warnings& warnings) {
   const UpAxis up_axis = o.up_axis ? *o.up_axis : source.up_axis.value_or(UpAxis::y);
   ChosenCamera camera = choose_camera(o, source, job, framing, up_axis, pool, warnings);
   job.motion.course = std::move(camera.course);
-  job.caster = std::move(camera.caster);
+  if (camera.caster.caster) job.caster = std::move(camera.caster);
   job.settings.ambient = choose_ambient(o, source, job.motion, camera.surroundings);
   job.lights = choose_lights(o, source, job.motion, job.settings.ambient, up_axis, camera.surroundings, warnings);
+}
+
+RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, ThreadPool& pool, Warnings& warnings,
+                          LoadProgress* progress) {
+  RenderJob job;
+  set_settings(job, o, source);
+  require_room_for_frames(job.settings, light_count(o, source), pool.size(), job.frames.count(), job.most_bytes);
+  const Framing framing = set_loaded_scene(job, o, source, pool, warnings, progress);
+  set_camera_and_lights(job, o, source, framing, pool, warnings);
   return job;
 }
 

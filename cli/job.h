@@ -5,6 +5,7 @@
 #include "core/base/warnings.h"
 #include "core/load/load_watch.h"
 #include "core/render/render_job.h"
+#include "core/scene/framing.h"
 
 namespace hybridrt::cli {
 
@@ -15,5 +16,18 @@ int thread_count(const RenderOptions& options);
 /// options, Error(input) for the scene. `progress` follows the reading.
 RenderJob make_render_job(const RenderOptions& options, const SceneSource& source, ThreadPool& pool, Warnings& warnings,
                           LoadProgress* progress = nullptr);
+
+// Its three steps, for those who make several jobs of one scene.
+
+/// Settings, frames, forms of the passes, memory limit.
+void set_settings(RenderJob& job, const RenderOptions& options, const SceneSource& source);
+
+/// The scene, after set_settings(); returns what the default camera frames.
+Framing set_loaded_scene(RenderJob& job, const RenderOptions& options, const SceneSource& source, ThreadPool& pool,
+                         Warnings& warnings, LoadProgress* progress = nullptr);
+
+/// Camera, lights and the ambient light, after the other two. Uses job.caster, or sets it if it must build one.
+void set_camera_and_lights(RenderJob& job, const RenderOptions& options, const SceneSource& source,
+                           const Framing& framing, ThreadPool& pool, Warnings& warnings);
 
 }  // namespace hybridrt::cli

@@ -30,6 +30,13 @@ double parse_fov(const char* option, const std::string& text) {
   return degrees * kPi / 180;
 }
 
+double parse_percent(const char* option, const std::string& text) {
+  double percent = 0;
+  if (!parse_number(text, percent) || !(percent >= 0 && percent <= 100))
+    throw error(ErrorKind::usage, "{} {}: must be a number from 0 to 100", option, text);
+  return percent;
+}
+
 dvec3 parse_vector(const char* option, const std::string& text) {
   dvec3 v(0);
   const size_t first = text.find(','), second = text.find(',', first + 1);

@@ -18,6 +18,9 @@ int parse_whole(const char* option, const std::string& text, int lowest, int hig
 /// Degrees, more than 0 and less than 180, as radians.
 double parse_fov(const char* option, const std::string& text);
 
+/// A number from 0 to 100.
+double parse_percent(const char* option, const std::string& text);
+
 /// Three finite numbers between commas.
 dvec3 parse_vector(const char* option, const std::string& text);
 

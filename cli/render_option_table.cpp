@@ -123,6 +123,10 @@ std::vector<RenderOption> method() {
       number("--samples", "N", group, "Samples per pixel, in a fixed pattern", &RenderSettings::samples, 1, 4096),
       number("--reflection-depth", "D", group, "Generations of rays after the first", &RenderSettings::reflection_depth,
              0, 64),
+      {"--reflection-percent", "P", group,
+       "Make P % of the triangles mirrors of reflectivity 0.5, by whole components or patches, chosen by a fixed "
+       "shuffle; the scene's own mirrors are unset first (default: as the scene is)",
+       [](Options& o, Text t) { o.reflection_percent = parse_percent("--reflection-percent", t); }},
       choice("--accel", "A", group, names_in(kAccels), &RenderSettings::accel, kAccels),
   };
 }

@@ -30,12 +30,13 @@ struct RenderOptions {
   RenderSettings settings;            ///< complete after finished_settings()
   std::optional<ShadowMode> shadows;  ///< default: the method's
   std::string frames = "1";
-  std::optional<FrameRange> sequence;  ///< default: from the first to the last frame
-  std::optional<UpAxis> up_axis;       ///< default: what the scene says
-  std::optional<vec3> background;      ///< linear; default: what the scene says
-  bool linear_colors = false;          ///< the meshes' colours are linear, not sRGB
-  bool ground = false;                 ///< a floor under the scene
-  std::string camera;                  ///< camera path file
+  std::optional<FrameRange> sequence;        ///< default: from the first to the last frame
+  std::optional<UpAxis> up_axis;             ///< default: what the scene says
+  std::optional<vec3> background;            ///< linear; default: what the scene says
+  std::optional<double> reflection_percent;  ///< share of the triangles made mirrors; default: as the scene is
+  bool linear_colors = false;                ///< the meshes' colours are linear, not sRGB
+  bool ground = false;                       ///< a floor under the scene
+  std::string camera;                        ///< camera path file
   std::optional<dvec3> eye, target, up, light;
   bool light_follows_camera = false;
   std::optional<double> fov_y_rad;     ///< default: the camera's own

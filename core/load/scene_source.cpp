@@ -28,13 +28,22 @@ double parse_value(const std::string& argument, std::string_view key, std::strin
   return *number;
 }
 
+/// A count like 500000, 500k or 2M.
+double parse_count(const std::string& argument, std::string_view key, std::string_view value) {
+  double unit = 1;
+  if (value.ends_with('k') || value.ends_with('K')) unit = 1e3;
+  if (value.ends_with('M')) unit = 1e6;
+  if (unit > 1) value.remove_suffix(1);
+  return unit * parse_value(argument, key, value);
+}
+
 /// Reads `key=value` into `options`.
 void parse_option(const std::string& argument, std::string_view part, ProceduralOptions& options) {
   const size_t equals = part.find('=');
   const std::string_view key = part.substr(0, equals);
   const std::string_view value = equals == part.npos ? std::string_view() : part.substr(equals + 1);
   if (key == "triangles") {
-    const double triangles = parse_value(argument, key, value);
+    const double triangles = parse_count(argument, key, value);
     if (triangles != std::floor(triangles) || std::abs(triangles) > 1e15)
       throw error(ErrorKind::usage, "{}: triangles needs a whole number, not {}", argument, in_quotes(value));
     options.triangles = static_cast<int64_t>(triangles);

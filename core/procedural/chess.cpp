@@ -3,10 +3,11 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/fixed_random.h"
 #include "core/procedural/chess_board.h"
 #include "core/procedural/chess_knight.h"
 #include "core/procedural/chess_position.h"
-#include "core/procedural/fixed_random.h"
+#include "core/procedural/choose_mirrors.h"
 
 namespace hybridrt {
 namespace {

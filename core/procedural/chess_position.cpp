@@ -1,6 +1,6 @@
 #include "core/procedural/chess_position.h"
 
-#include "core/procedural/fixed_random.h"
+#include "core/base/fixed_random.h"
 
 namespace hybridrt {
 namespace {

@@ -4,7 +4,8 @@
 #include <array>
 
 #include "core/base/error.h"
-#include "core/procedural/fixed_random.h"
+#include "core/base/fixed_random.h"
+#include "core/procedural/choose_mirrors.h"
 #include "core/procedural/paint.h"
 
 namespace hybridrt {

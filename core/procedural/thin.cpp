@@ -5,7 +5,8 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/procedural/fixed_random.h"
+#include "core/base/fixed_random.h"
+#include "core/procedural/choose_mirrors.h"
 #include "core/procedural/paint.h"
 #include "core/procedural/thin_parts.h"
 

@@ -2,6 +2,7 @@
 
 #include "core/base/timing.h"
 #include "core/mesh/inside_out.h"
+#include "core/mesh/reflective_share.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/gl_renderer.h"
 #include "core/render/samples.h"
@@ -9,11 +10,13 @@
 
 namespace hybridrt {
 
-void set_scene(RenderJob& job, Scene scene, ThreadPool& pool, Warnings& warnings) {
+void set_scene(RenderJob& job, Scene scene, ThreadPool& pool, Warnings& warnings,
+               std::optional<double> reflection_percent) {
   job.scene = std::move(scene);
-  job.facts = make_scene_facts(job.scene);
   job.topology = build_topology(job.scene, pool);
   turn_inside_out_bodies(job.scene, job.topology, pool, warnings);
+  if (reflection_percent) set_reflective_share(job.scene, job.topology, *reflection_percent);
+  job.facts = make_scene_facts(job.scene);
 }
 
 FrameRequest frame_request(const RenderJob& job, int frame) {

@@ -32,8 +32,9 @@ struct RenderJob {
 };
 
 /// Gives the job its scene and computes, once per run, what depends on it. Bodies that are inside out are turned, with
-/// a warning (inside_out.h).
-void set_scene(RenderJob& job, Scene scene, ThreadPool& pool, Warnings& warnings);
+/// a warning (inside_out.h). `reflection_percent`: that share of the triangles becomes mirrors (reflective_share.h).
+void set_scene(RenderJob& job, Scene scene, ThreadPool& pool, Warnings& warnings,
+               std::optional<double> reflection_percent = std::nullopt);
 
 /// Camera and lights of a frame.
 FrameRequest frame_request(const RenderJob& job, int frame);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace hybridrt {
@@ -17,8 +19,13 @@ inline uint64_t next_random(uint64_t& state) {
 /// The next number in [0, 1).
 inline double next_unit(uint64_t& state) { return static_cast<double>(next_random(state) >> 11) * 0x1p-53; }
 
-/// Which of `components` become mirrors at `percent` (0 to 100): at least one above 0, chosen by a fixed shuffle,
-/// nested: a mirror stays one at a higher percentage.
-std::vector<char> choose_mirrors(int components, double percent);
+/// The numbers from 0 to count - 1 by a Fisher-Yates shuffle with a fixed seed.
+inline std::vector<uint32_t> shuffled(uint32_t count) {
+  std::vector<uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  uint64_t state = 2005;
+  for (uint32_t i = count; i-- > 1;) std::swap(order[i], order[next_random(state) % (i + 1)]);
+  return order;
+}
 
 }  // namespace hybridrt
