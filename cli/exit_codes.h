@@ -7,7 +7,8 @@ namespace hybridrt::cli {
 /// README.md lists these and no others.
 enum class ExitCode {
   ok = 0,
-  usage = 2,  ///< also out of memory: more was asked for than the machine has
+  some_failed = 1,  ///< the others are there
+  usage = 2,        ///< also out of memory: more was asked for than the machine has
   input = 3,
   device = 4,
   output = 5,

@@ -61,7 +61,10 @@ ExitCode run(int argc, char** argv) {
   bool version = false, as_json = false;
   app.add_flag("--version", version, "Version, commit, compiler, libraries, GL renderer");
   app.add_flag("--json", as_json, "With --version: as one JSON object");
-  add_render_command(app, std::vector<std::string>(argv, argv + argc), chosen);
+  const std::vector<std::string> command_line(argv, argv + argc);
+  add_render_command(app, command_line, chosen);
+  add_sweep_command(app, command_line, chosen);
+  add_report_command(app, chosen);
   add_compare_command(app, chosen);
   add_golden_command(app, chosen);
   add_scene_command(app, chosen);

@@ -22,7 +22,8 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(int64_t frames, bool quiet) : frames_(frames), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
+Progress::Progress(int64_t count, bool quiet, const char* what)
+    : frames_(count), what_(what), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
 
 Progress::~Progress() {
   if (shown_ && terminal_) cli::say("\n");
@@ -33,7 +34,7 @@ std::string Progress::text() const {
   const double rate = static_cast<double>(done_) / std::max(seconds, 1e-9);
   const std::string left =
       done_ < frames_ ? duration(static_cast<double>(frames_ - done_) / rate) + " left" : "in " + duration(seconds);
-  return fmt::format("frame {}/{}  {:.2f} frames/s  {}", done_, frames_, rate, left);
+  return fmt::format("{} {}/{}  {:.2f} {}s/s  {}", what_, done_, frames_, rate, what_, left);
 }
 
 void Progress::frame_done() {

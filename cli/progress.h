@@ -11,7 +11,8 @@ namespace hybridrt::cli {
 /// to time.
 class Progress {
  public:
-  Progress(int64_t frames, bool quiet);
+  /// `what` is counted: "frame".
+  Progress(int64_t count, bool quiet, const char* what = "frame");
   ~Progress();
   void frame_done();
   /// Prints a line without damaging the bar.
@@ -20,6 +21,7 @@ class Progress {
  private:
   std::string text() const;
   const int64_t frames_;
+  const char* const what_;
   const bool quiet_, terminal_;
   int64_t done_ = 0;
   Stopwatch running_, since_shown_;

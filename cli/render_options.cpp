@@ -49,6 +49,11 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
   }
 }
 
+void set_render_option(RenderOptions& options, const std::string& name, const std::string& value) {
+  apply_setting(render_option_table(), name.substr(2), value, options);
+  options.given.emplace_back(name, value);
+}
+
 RenderOptions with_scene_settings(const RenderOptions& options, const SceneSource& source) {
   if (source.settings.empty()) return options;
   const std::vector<RenderOption> table = render_option_table();

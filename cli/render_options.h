@@ -53,6 +53,10 @@ struct RenderOptions {
 /// Adds the options of render_option_table.h: what decides pictures and how they are made, not where they go.
 void add_render_options(CLI::App& app, RenderOptions& options);
 
+/// Sets an option as the command line would. Throws Error(usage) for a value that it does not take; `name`, with
+/// dashes, must be one of the table.
+void set_render_option(RenderOptions& options, const std::string& name, const std::string& value);
+
 /// The options with the source's `settings` applied; the command line takes precedence. Throws Error(input), naming the
 /// scene, for settings that are not render options or have a value that the option does not take.
 RenderOptions with_scene_settings(const RenderOptions& options, const SceneSource& source);

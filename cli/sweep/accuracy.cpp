@@ -1,0 +1,66 @@
+#include "cli/sweep/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/image/compare.h"
+#include "core/image/srgb.h"
+#include "core/image/ssim.h"
+
+namespace hybridrt::cli {
+namespace {
+
+size_t count_non_finite(const Image& picture) {
+  size_t count = 0;
+  for (size_t first = 0; first < picture.data.size(); first += picture.channels)
+    count += std::any_of(&picture.data[first], &picture.data[first] + picture.channels,
+                         [](float v) { return !std::isfinite(v); });
+  return count;
+}
+
+const ImageLayer* layer_of(const Frame& frame, std::string_view name) {
+  const auto found =
+      std::find_if(frame.aovs.begin(), frame.aovs.end(), [&](const ImageLayer& l) { return l.name == name; });
+  return found == frame.aovs.end() ? nullptr : &*found;
+}
+
+void compare_centres(const Frame& frame, const Truth& truth, Accuracy& accuracy) {
+  const ImageLayer *ids = layer_of(frame, "id"), *shadow = layer_of(frame, "shadow");
+  if (!ids || truth.ids.empty()) return;
+  accuracy.other_triangle = 0;
+  if (shadow) accuracy.false_lit = accuracy.false_shadow = 0;
+  for (size_t i = 0; i < truth.ids.size(); ++i) {
+    if (ids->numbers[i] != truth.ids[i]) {
+      ++*accuracy.other_triangle;
+    } else if (shadow) {
+      *accuracy.false_lit += shadow->values[i] > truth.shadow[i];
+      *accuracy.false_shadow += shadow->values[i] < truth.shadow[i];
+    }
+  }
+}
+
+}  // namespace
+
+Accuracy measure_accuracy(const Frame& frame, const Truth& truth) {
+  const Image shown = displayed(frame.picture);
+  const CompareResult compared = compare_images(shown, truth.picture, {.fail = 0});
+  if (!compared.measured)
+    throw error(ErrorKind::input, "{} cannot be the truth of frame {}: {}", truth.file.string(), frame.number,
+                compared.reason);
+  Accuracy accuracy;
+  accuracy.rmse = compared.rmse;
+  accuracy.psnr_db = compared.psnr_db;
+  accuracy.max_error = compared.max_error;
+  accuracy.ssim = structural_similarity(shown, truth.picture);
+  accuracy.pixels_different = compared.pixels_over_fail;
+  accuracy.non_finite = count_non_finite(frame.picture);
+  compare_centres(frame, truth, accuracy);
+  return accuracy;
+}
+
+Image amplified_difference(const Frame& frame, const Truth& truth) {
+  return linear_from_srgb(difference_image(displayed(frame.picture), truth.picture, kDifferenceAmplification));
+}
+
+}  // namespace hybridrt::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "cli/sweep/truth.h"
+
+namespace hybridrt::cli {
+
+/// How far a frame is from its truth. Errors are those of 8-bit files of display values, 0-1.
+struct Accuracy {
+  double rmse = 0, psnr_db = 0, max_error = 0, ssim = 1;
+  size_t pixels_different = 0;  ///< 0: equal to the last bit
+  size_t non_finite = 0;        ///< pixels with a value that is no number; they count as black
+
+  /// At the pixels' centres, where the frame has one sample there and the truth is known. Shadows count where both see
+  /// the same triangle.
+  std::optional<size_t> false_lit, false_shadow, other_triangle;
+};
+
+/// `frame` with the layers `id` and `shadow` if it has them. Throws Error(input) for a truth of another size.
+Accuracy measure_accuracy(const Frame& frame, const Truth& truth);
+
+/// The difference from the truth to look at, amplified; linear, as encode_image() takes it.
+inline constexpr int kDifferenceAmplification = 8;
+Image amplified_difference(const Frame& frame, const Truth& truth);
+
+}  // namespace hybridrt::cli

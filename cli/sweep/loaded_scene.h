@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+
+#include "cli/job.h"
+#include "cli/sweep/axes.h"
+
+namespace hybridrt::cli {
+
+/// A scene of a sweep, loaded once, with what is built for it once. `job` is set for one setting after the other.
+struct LoadedScene {
+  RenderJob job;
+  Framing framing;
+  double load_ms = 0;
+  std::map<Accel, SceneCaster<float>> casters;  ///< those that were needed
+};
+
+/// What decides how a scene is loaded; equal for settings that can share a LoadedScene.
+std::string load_key(const SweepSetting& setting, const std::vector<Axis>& axes);
+
+/// Throws as make_render_job().
+LoadedScene load_scene_of(const SweepSetting& setting, ThreadPool& pool, Warnings& warnings);
+
+/// Makes `scene.job` the setting's, with its structure for rays if any frame may need one. Throws as make_render_job().
+void set_job(LoadedScene& scene, const SweepSetting& setting, ThreadPool& pool, Warnings& warnings);
+
+/// Renders the frames of `job` with other settings; fewer if a signal asks to stop.
+std::vector<Frame> render_frames(RenderJob& job, const RenderSettings& settings, ThreadPool& pool);
+
+}  // namespace hybridrt::cli

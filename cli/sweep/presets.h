@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/named.h"
+
+namespace hybridrt::cli {
+
+enum class Preset { paper, pareto, scaling, growth };
+inline constexpr Named<Preset> kPresets[] = {
+    {"paper", Preset::paper}, {"pareto", Preset::pareto}, {"scaling", Preset::scaling}, {"growth", Preset::growth}};
+
+/// A chart that people want, as the options of a sweep. What the command line says itself takes precedence.
+struct PresetOptions {
+  std::vector<std::string> over;                             ///< values of --over
+  std::vector<std::pair<std::string, std::string>> options;  ///< render options: name with dashes, value
+  int truth_samples = 1;
+};
+
+/// Throws Error(usage) for a preset that `scene` does not take.
+PresetOptions preset_options(Preset preset, const std::string& scene, int processors);
+
+}  // namespace hybridrt::cli

@@ -1,0 +1,39 @@
+#include "cli/sweep/visit.h"
+
+#include "cli/interrupt.h"
+
+namespace hybridrt::cli {
+
+Visit measure(RenderJob& job, ThreadPool& pool) {
+  const FrameSpec frames = job.frames;
+  const auto count = static_cast<size_t>(frames.count());
+  const FrameRange& first = frames.ranges.front();
+  const FrameRange& last = frames.ranges.back();
+  const int last_frame = last.first + (last.last - last.first) / last.step * last.step;
+  job.frames.ranges.insert(job.frames.ranges.begin(), {first.first, first.first, 1});
+  if (job.settings.frames_in_flight > 1) job.frames.ranges.push_back({last_frame, last_frame, 1});
+  job.settings.aovs = 0;
+
+  Visit visit;
+  bool warm = false;
+  const auto deliver = [&](Frame&& frame) {
+    if (!std::exchange(warm, true)) {
+      visit.first_frame_ms = frame.timings.wall_ms;
+      return;
+    }
+    if (visit.frames.size() == count) return;
+    frame.picture = {};
+    visit.frames.push_back(std::move(frame));
+  };
+  try {
+    visit.facts = run(
+        job, pool, [](const RunFacts&) {}, stop_requested, deliver);
+  } catch (...) {
+    job.frames = frames;
+    throw;
+  }
+  job.frames = frames;
+  return visit;
+}
+
+}  // namespace hybridrt::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/render/render_job.h"
+
+namespace hybridrt::cli {
+
+/// One measurement of a setting: its frames, rendered once each.
+struct Visit {
+  double first_frame_ms = 0;  ///< the first frame with its one-off cost (light buffers, memory); rendered again after
+  RunFacts facts;
+  std::vector<Frame> frames;  ///< without their pictures; fewer than asked for if a signal asked to stop
+};
+
+/// Renders the job's frames for their times. One frame before them pays for what is made once and is not counted; where
+/// frames overlap another one follows them, so that the last one too has a neighbour. The job's AOVs are left out.
+Visit measure(RenderJob& job, ThreadPool& pool);
+
+}  // namespace hybridrt::cli
