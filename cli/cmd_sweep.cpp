@@ -25,7 +25,7 @@ struct SweepOptions {
   std::string preset, folder, truth;
   std::optional<int> truth_samples;
   int rounds = 3;
-  double settle_s = 0;
+  int settle_s = 0;
   bool no_charts = false, quiet = false;
 };
 
@@ -46,7 +46,8 @@ SweepOptions with_preset(SweepOptions options) {
     const std::string start = axis.substr(0, axis.find('=') + 1);
     const bool overridden =
         std::any_of(options.over.begin(), options.over.end(), [&](const auto& o) { return o.starts_with(start); });
-    if (!overridden && !is_given(options.render, "--" + start.substr(0, start.size() - 1))) options.over.push_back(axis);
+    if (!overridden && !is_given(options.render, "--" + start.substr(0, start.size() - 1)))
+      options.over.push_back(axis);
   }
   for (const auto& [name, value] : adds.options)
     if (!is_given(options.render, name)) set_render_option(options.render, name, value);
@@ -88,7 +89,7 @@ double require_quiet_machine(const SweepOptions& options) {
   if (busy < kBusy || stop_requested()) return busy;
   const std::string message = fmt::format("others use {:.0f} % of this machine; times will be unsteady", 100 * busy);
   if (options.settle_s > 0)
-    throw error(ErrorKind::device, "{}, and --settle {:g} was not enough; stop them or try later", message,
+    throw error(ErrorKind::device, "{}, and --settle {} was not enough; stop them or try later", message,
                 options.settle_s);
   complain("warning: " + message);
   return busy;
@@ -109,8 +110,9 @@ ExitCode sweep(const SweepOptions& given, const std::vector<std::string>& comman
   const SweepRequest request = request_of(options, command_line);
   const SweepSettings settings = make_sweep_settings(request.base, request.axes);
   if (!options.quiet && !settings.left_out.empty())
-    say(fmt::format("hybridrt: render refuses {} of {} combinations, which are left out: {}\n", settings.left_out.size(),
-                    settings.left_out.size() + settings.settings.size(), fmt::join(settings.left_out, ", ")));
+    say(fmt::format("hybridrt: render refuses {} of {} combinations, which are left out: {}\n",
+                    settings.left_out.size(), settings.left_out.size() + settings.settings.size(),
+                    fmt::join(settings.left_out, ", ")));
   FileClaims claims;
   if (claims.claim(request.rows()) == FileClaims::Answer::taken)
     throw error(ErrorKind::output, "another run is writing {}; wait for it, or choose another folder for -o",
@@ -164,7 +166,7 @@ void add_sweep_command(CLI::App& app, const std::vector<std::string>& command_li
       ->group(group);
   command->add_option("--settle", options->settle_s, "Wait so long for a quiet machine, else refuse (default: warn)")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 86400.0).description(""))
+      ->check(CLI::Range(0, 86400).description(""))
       ->group(group);
   command->add_flag("--no-charts", options->no_charts, "Write rows and pictures only")->group(group);
   command->add_flag("-q,--quiet", options->quiet, "Only errors and warnings")->group(group);
@@ -173,8 +175,7 @@ void add_sweep_command(CLI::App& app, const std::vector<std::string>& command_li
       "  hybridrt sweep scene:chess --preset pareto -o out/pareto\n"
       "  hybridrt sweep car.obj --over reflection-percent=0:100:10 --over method=hybrid,raytrace -o out/mirrors\n"
       "  hybridrt sweep scene:thin --over shadows=map,blur,exact --over shadow-map=512:8192:*2 -o out/maps");
-  command->callback(
-      [options, command_line, &chosen] { chosen = [=] { return sweep(*options, command_line); }; });
+  command->callback([options, command_line, &chosen] { chosen = [=] { return sweep(*options, command_line); }; });
 }
 
 }  // namespace hybridrt::cli

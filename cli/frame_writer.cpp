@@ -97,7 +97,7 @@ void FrameWriter::finish(RunTotals& totals) {
   totals.drain_ms = draining.elapsed_ms();
   if (timings_) {
     timings_->finish();
-    totals.sum[PassId::write] = timings_->written_ms();
+    totals.write_ms = timings_->written_ms();
   }
   if (!options_.contact_sheet.empty() && totals.frames > 0) sink_.submit(options_.contact_sheet, sheet_.sheet());
   sink_.drain();

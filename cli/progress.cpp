@@ -34,7 +34,8 @@ std::string Progress::text() const {
   const double rate = static_cast<double>(done_) / std::max(seconds, 1e-9);
   const std::string left =
       done_ < frames_ ? duration(static_cast<double>(frames_ - done_) / rate) + " left" : "in " + duration(seconds);
-  return fmt::format("{} {}/{}  {:.2f} {}s/s  {}", what_, done_, frames_, rate, what_, left);
+  const std::string fast = rate >= 0.1 ? fmt::format("  {:.2f} {}s/s", rate, what_) : "";
+  return fmt::format("{} {}/{}{}  {}", what_, done_, frames_, fast, left);
 }
 
 void Progress::frame_done() {

@@ -1,6 +1,5 @@
 #include "cli/run_report.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -17,27 +16,7 @@ double peak_memory_mib() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-std::string rays(int64_t count) {
-  if (count < 100'000) return fmt::format("{}", count);
-  return fmt::format("{:.2f} M", static_cast<double>(count) * 1e-6);
-}
-
-double per_frame(double sum, const RunTotals& totals) {
-  return totals.frames ? sum / static_cast<double>(totals.frames) : 0;
-}
-
 }  // namespace
-
-void RunTotals::add(const Frame& frame) {
-  ++frames;
-  for (size_t i = 0; i < sum.pass_ms.size(); ++i) sum.pass_ms[i] += frame.timings.pass_ms[i];
-  sum.wall_ms += frame.timings.wall_ms;
-  stats.add(frame.stats);
-}
-
-double RunTotals::frames_per_second() const {
-  return sum.wall_ms > 0 ? static_cast<double>(frames) / (sum.wall_ms * 1e-3) : 0;
-}
 
 std::string processor_name() {
   std::ifstream info("/proc/cpuinfo");
@@ -55,42 +34,6 @@ std::string settings_line(const RenderSettings& s) {
   if (uses_shadow_map(s)) line += fmt::format(" shadow-map {} {}", s.shadow_map_px, name_of(s.shadow_warp));
   if (s.shadows == ShadowMode::blur) line += fmt::format(" blur-kernel {}", s.blur_kernel_px);
   return line;
-}
-
-std::string summary_table(const RenderJob& job, const RunTotals& totals) {
-  static constexpr const char* kWhat[] = {"1 shadow map",
-                                          "2 triangle ids + shadow test",
-                                          "3 marking",
-                                          "  readback",
-                                          "4 rays on the CPU",
-                                          "  upload",
-                                          "5 shading",
-                                          "  download",
-                                          "  encoding + writing (in parallel)"};
-  std::string out = fmt::format("\n{:<40} {:>12}\n", "pass", "ms per frame");
-  for (size_t i = 0; i < totals.sum.pass_ms.size(); ++i)
-    out += fmt::format("{:<40} {:>12.2f}\n", kWhat[i], per_frame(totals.sum.pass_ms[i], totals));
-  out += fmt::format("{:<40} {:>12.2f}\n\n", "from frame to frame", per_frame(totals.sum.wall_ms, totals));
-
-  const TraceStats& s = totals.stats;
-  const bool rasterised = job.settings.method == Method::hybrid || job.settings.method == Method::raster;
-  const PixelRect picture = picture_rect(job.settings);
-  const int64_t primary = totals.frames * picture.width_px * picture.height_px;
-  out += fmt::format("{:<26} {:>12} {:>12}\n", "rays", "fired", "saved");
-  out +=
-      fmt::format("{:<26} {:>12} {:>12}\n", "primary", rays(rasterised ? 0 : primary), rays(rasterised ? primary : 0));
-  const auto casting = static_cast<int64_t>(count_shadow_casters(job.lights.lights));
-  const int64_t receivers_untraced = std::max<int64_t>(0, casting * s.pixels_hit - s.primary_shadow_rays);
-  out += fmt::format("{:<26} {:>12} {:>12}\n", "shadow, seen directly", rays(s.primary_shadow_rays),
-                     rays(job.settings.shadows == ShadowMode::none ? 0 : receivers_untraced));
-  out += fmt::format("{:<26} {:>12}\n", "shadow, in reflections", rays(s.shadow_rays - s.primary_shadow_rays));
-  out += fmt::format("{:<26} {:>12}\n", "reflection", rays(s.reflection_rays));
-  out += fmt::format("{:<26} {:>12}\n\n", "refraction", rays(s.refraction_rays));
-  if (rasterised && !uses_gl(job.settings))
-    out += fmt::format("all passes on the CPU{}\n",
-                       job.forms_reason.empty() ? "" : fmt::format(" ({})", job.forms_reason));
-  out += fmt::format("{} frames, {:.2f} frames/s\n", totals.frames, totals.frames_per_second());
-  return out;
 }
 
 nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob& job, int threads,

@@ -16,10 +16,9 @@ namespace {
 constexpr size_t kMostValues = 10'000;  // per axis
 
 // Options that change how a frame is made and not what it should look like.
-constexpr std::string_view kQuality[] = {"method",  "shadows",     "blur-kernel",      "shadow-map",
-                                         "samples", "shadow-warp", "reflection-depth", "accel",
-                                         "threads", "max-memory",  "frames-in-flight", "gl",
-                                         "device",  "shaders",     "require-hardware"};
+constexpr std::string_view kQuality[] = {
+    "method",  "shadows",    "blur-kernel",      "shadow-map", "samples", "shadow-warp", "reflection-depth", "accel",
+    "threads", "max-memory", "frames-in-flight", "gl",         "device",  "shaders",     "require-hardware"};
 constexpr std::string_view kScene[] = {"up-axis", "mesh-colors", "ground", "reflection-percent"};
 constexpr std::string_view kParameters[] = {"triangles", "reflective"};
 constexpr std::string_view kNoAxes[] = {"frames", "sequence", "aov"};
@@ -60,8 +59,8 @@ bool append_range(const std::string& axis, const std::string& text, std::vector<
   if (!first || !last || !step) return false;
   const bool ends = multiplies ? *step > 1 && *first > 0 : *step > 0;
   if (!ends || *last < *first)
-    throw error(ErrorKind::usage, "--over {}={}: write FIRST:LAST:STEP with FIRST <= LAST and a step above 0, or *F, F > 1",
-                axis, text);
+    throw error(ErrorKind::usage,
+                "--over {}={}: write FIRST:LAST:STEP with FIRST <= LAST and a step above 0, or *F, F > 1", axis, text);
   const double steps = multiplies ? std::log(*last / *first) / std::log(*step) : (*last - *first) / *step;
   if (steps > static_cast<double>(kMostValues))
     throw error(ErrorKind::usage, "--over {}={}: more than {} values", axis, text, kMostValues);

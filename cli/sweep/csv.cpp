@@ -62,8 +62,9 @@ CsvTable read_csv(const std::filesystem::path& path) {
   while (at < text.size()) {
     table.rows.push_back(take_record(text, at));
     if (table.rows.back().size() != table.header.size())
-      throw error(ErrorKind::input, "{}: row {} has {} cells, the header {}; restore the file or begin in another folder",
-                  path.string(), table.rows.size(), table.rows.back().size(), table.header.size());
+      throw error(ErrorKind::input,
+                  "{}: row {} has {} cells, the header {}; restore the file or begin in another folder", path.string(),
+                  table.rows.size(), table.rows.back().size(), table.header.size());
   }
   return table;
 }

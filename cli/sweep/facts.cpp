@@ -86,7 +86,8 @@ void require_same_sweep(const SweepRequest& request, const Json& facts) {
   const Json decides = what_decides(request);
   for (const auto& [key, value] : decides.items())
     if (!facts.is_object() || !facts.contains(key) || facts[key] != value)
-      throw error(ErrorKind::input, "{}: holds a sweep with another {}; choose another folder for -o, or remove that one",
+      throw error(ErrorKind::input,
+                  "{}: holds a sweep with another {}; choose another folder for -o, or remove that one",
                   request.folder.string(), key);
 }
 

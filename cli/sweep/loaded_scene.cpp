@@ -49,8 +49,7 @@ std::vector<Frame> render_frames(RenderJob& job, const RenderSettings& settings,
   std::vector<Frame> frames;
   try {
     run(
-        job, pool, [](const RunFacts&) {}, stop_requested,
-        [&](Frame&& frame) { frames.push_back(std::move(frame)); });
+        job, pool, [](const RunFacts&) {}, stop_requested, [&](Frame&& frame) { frames.push_back(std::move(frame)); });
   } catch (...) {
     job.settings = own;
     throw;

@@ -20,10 +20,7 @@ PresetOptions preset_options(Preset preset, const std::string& scene, int proces
   switch (preset) {
     case Preset::paper:  // figure 6: pass times over the reflective share, one frame after the other
       return {{"reflection-percent=0:100:10"},
-              {{"--shadows", "blur"},
-               {"--blur-kernel", "5"},
-               {"--reflection-depth", "1"},
-               {"--frames-in-flight", "1"}},
+              {{"--shadows", "blur"}, {"--blur-kernel", "5"}, {"--reflection-depth", "1"}, {"--frames-in-flight", "1"}},
               1};
     case Preset::pareto:
       return {{"method=hybrid,raytrace,raster", "shadows=none,map,blur,exact,rays", "samples=1,4"}, {}, 64};

@@ -13,14 +13,16 @@ namespace {
 using Row = std::vector<std::string>;
 
 const std::vector<std::string> kSettings = {
-    "scene",       "width_px", "height_px", "method", "shadows", "blur_kernel_px",   "shadow_map_px", "shadow_warp",
-    "reflection_depth", "samples",  "accel",     "threads", "frames_in_flight", "form",          "triangles"};
+    "scene",       "width_px",         "height_px", "method", "shadows", "blur_kernel_px",   "shadow_map_px",
+    "shadow_warp", "reflection_depth", "samples",   "accel",  "threads", "frames_in_flight", "form",
+    "triangles"};
 const std::vector<std::string> kOneOff = {"wall_ms", "first_frame_ms", "ready_ms", "load_ms", "accel_build_ms"};
 const std::vector<std::string> kCounts = {
-    "shadow_cpu_ms",     "secondary_cpu_ms", "pixels",      "pixels_hit",      "pixels_marked",
+    "shadow_cpu_ms",     "secondary_cpu_ms",  "pixels",      "pixels_hit",      "pixels_marked",
     "pixels_reflective", "pixels_refractive", "shadow_rays", "reflection_rays", "refraction_rays"};
-const std::vector<std::string> kAccuracy = {"rmse",      "psnr_db",      "max_error",      "ssim",      "pixels_different",
-                                            "false_lit", "false_shadow", "other_triangle", "non_finite"};
+const std::vector<std::string> kAccuracy = {"rmse",         "psnr_db",          "max_error",
+                                            "ssim",         "pixels_different", "false_lit",
+                                            "false_shadow", "other_triangle",   "non_finite"};
 constexpr PassId kThreadTimed[] = {PassId::id, PassId::mark, PassId::trace, PassId::shade};
 
 void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
@@ -126,8 +128,8 @@ SweepRows::SweepRows(const std::filesystem::path& file, const std::vector<Axis>&
     throw error(ErrorKind::input, "{}: has other columns than this sweep; choose another folder, or remove it",
                 file.string());
   for (auto at = earlier.rows.begin(); at != earlier.rows.end();) {
-    const auto end = std::find_if(at, earlier.rows.end(),
-                                  [&](const Row& row) { return row[0] != (*at)[0] || row[1] != (*at)[1]; });
+    const auto end =
+        std::find_if(at, earlier.rows.end(), [&](const Row& row) { return row[0] != (*at)[0] || row[1] != (*at)[1]; });
     if (static_cast<size_t>(end - at) == frames_per_visit && at->back().empty())
       append({number_in((*at)[0], file), number_in((*at)[1], file)}, {at, end});
     at = end;

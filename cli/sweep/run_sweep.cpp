@@ -36,7 +36,10 @@ class Sweep {
       : request_(request),
         facts_(request, settings, busy),
         rows_(request.rows(), request.axes, static_cast<size_t>(parse_frame_spec(request.base.frames).count())),
-        truths_(request.truth, request.folder / "truth"),
+        truths_(request.truth, request.folder / "truth",
+                [this, quiet](const std::string& line) {
+                  if (!quiet) progress_.say("hybridrt: " + line);
+                }),
         progress_(count_missing(settings), quiet, "setting") {
     facts_.write();
   }
@@ -168,8 +171,8 @@ class Sweep {
     const std::vector<Frame> frames = render_frames(job, settings, pool);
     std::vector<AccuracyCells> cells;
     for (size_t i = 0; i < frames.size(); ++i)
-      cells.push_back(accuracy_cells(i < truths.size() ? std::optional(measure_accuracy(frames[i], truths[i]))
-                                                       : std::nullopt));
+      cells.push_back(
+          accuracy_cells(i < truths.size() ? std::optional(measure_accuracy(frames[i], truths[i])) : std::nullopt));
     if (!frames.empty() && !stop_requested())
       keep_pictures(setting, frames.front(), truths.empty() ? nullptr : &truths.front());
     return cells;

@@ -41,7 +41,8 @@ std::optional<long> last_number(const std::string& stem) {
   const size_t end = stem.find_last_of("0123456789");
   if (end == stem.npos) return std::nullopt;
   const size_t before = stem.find_last_not_of("0123456789", end);
-  const std::string digits = stem.substr(before == stem.npos ? 0 : before + 1, end - (before == stem.npos ? -1 : before));
+  const std::string digits =
+      stem.substr(before == stem.npos ? 0 : before + 1, end - (before == stem.npos ? -1 : before));
   return digits.size() > 9 ? std::nullopt : std::optional(std::stol(digits));
 }
 
@@ -65,7 +66,8 @@ fs::path file_of_frame(const fs::path& folder, int frame) {
 Image read_displayed(const fs::path& file) {
   Image stored = read_image(file);
   if (keeps_layers(file.string()) || file.extension() == ".hdr") return displayed(stored);
-  for (float& value : stored.data) value = of_code(static_cast<uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f))));
+  for (float& value : stored.data)
+    value = of_code(static_cast<uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f))));
   return stored;
 }
 
@@ -91,9 +93,11 @@ RenderSettings truth_settings(const RenderSettings& settings, int samples) {
   return truth;
 }
 
-TruthStore::TruthStore(const TruthOptions& options, fs::path kept) : options_(options), kept_(std::move(kept)) {
+TruthStore::TruthStore(const TruthOptions& options, fs::path kept, std::function<void(const std::string&)> tell)
+    : options_(options), kept_(std::move(kept)), tell_(std::move(tell)) {
   if (!options_.folder.empty() && !fs::is_directory(options_.folder))
-    throw error(ErrorKind::input, "--truth {}: is no folder; name the one that holds the frames", options_.folder.string());
+    throw error(ErrorKind::input, "--truth {}: is no folder; name the one that holds the frames",
+                options_.folder.string());
 }
 
 const std::vector<Truth>& TruthStore::of(RenderJob& job, ThreadPool& pool) {
@@ -127,6 +131,9 @@ std::vector<Truth> TruthStore::from_reference(RenderJob& job, ThreadPool& pool,
   // Ids and shadows are those of the first sample, so a picture that is kept needs that one only.
   RenderSettings settings = truth_settings(job.settings, all_kept ? 1 : options_.samples);
   settings.aovs = kAovId | kAovShadow;
+  if (!all_kept)
+    tell_(fmt::format("rendering the truth: {} frame{} with {} sample{} a pixel in double precision", keys.size(),
+                      keys.size() == 1 ? "" : "s", settings.samples, settings.samples == 1 ? "" : "s"));
   std::vector<Frame> frames = render_frames(job, settings, pool);
   if (frames.size() != keys.size()) return {};  // stopped
   for (size_t i = 0; i < keys.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "cli/sweep/loaded_scene.h"
@@ -15,10 +16,10 @@ struct TruthOptions {
 
 /// A frame as it should be.
 struct Truth {
-  Image picture;                 ///< display values, as an 8-bit file holds them
-  std::vector<uint32_t> ids;     ///< of the reference at the pixels' centres; empty if unknown
-  std::vector<float> shadow;     ///< the share of the lights that arrives there; empty if unknown
-  std::filesystem::path file;    ///< where the picture is kept
+  Image picture;               ///< display values, as an 8-bit file holds them
+  std::vector<uint32_t> ids;   ///< of the reference at the pixels' centres; empty if unknown
+  std::vector<float> shadow;   ///< the share of the lights that arrives there; empty if unknown
+  std::filesystem::path file;  ///< where the picture is kept
 };
 
 /// A linear picture as an 8-bit file shows it: display values in 0-1.
@@ -31,7 +32,8 @@ RenderSettings truth_settings(const RenderSettings& settings, int samples);
 /// frames, and the last job's truths in memory.
 class TruthStore {
  public:
-  TruthStore(const TruthOptions& options, std::filesystem::path kept);
+  /// `tell` is given a line before work that takes long.
+  TruthStore(const TruthOptions& options, std::filesystem::path kept, std::function<void(const std::string&)> tell);
 
   /// One truth per frame of the job, in order. Throws Error(input) where the user's folder lacks a frame or holds
   /// several for it, or a picture that cannot be read.
@@ -43,6 +45,7 @@ class TruthStore {
 
   const TruthOptions options_;
   const std::filesystem::path kept_;
+  const std::function<void(const std::string&)> tell_;
   std::vector<uint64_t> keys_;  ///< fingerprints of the frames of truths_
   std::vector<Truth> truths_;
 };

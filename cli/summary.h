@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/render/render_job.h"
+
+namespace hybridrt::cli {
+
+/// What a run has to tell at its end.
+struct RunTotals {
+  int64_t frames = 0;
+  TraceStats stats;
+  double wall_ms = 0;  ///< of all frames
+
+  /// Milliseconds of each frame's passes (PassId), and its wall time as the last.
+  std::vector<std::array<float, static_cast<size_t>(PassId::count) + 1>> times_ms;
+
+  double load_ms = 0;       ///< reading the scene
+  double rendering_ms = 0;  ///< from when the scene is ready to the last frame's download
+  double drain_ms = 0;      ///< writing that was left after that
+  double write_ms = 0;      ///< encoding and writing all files, on other threads
+
+  void add(const Frame& frame);
+  double frames_per_second() const;
+};
+
+/// The closing table: the first frame's time per pass apart from the median of the others, which no longer build what
+/// is kept; rays fired and saved; frames per second.
+std::string summary_table(const RenderJob& job, const RunTotals& totals);
+
+}  // namespace hybridrt::cli
