@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import statistics
 import subprocess
 import unittest
 
@@ -27,8 +28,18 @@ class RenderTest(CliTestCase):
         picture = Png.read(self.path("out/spheres.0001.png"))
         self.assertEqual((picture.width, picture.height), (96, 72))
         self.assertGreater(len({picture.pixel(x, y) for x in range(96) for y in range(72)}), 50)
-        for part in ("shadow map", "out/spheres.0001.png", "out/timings.csv", "frames/s"):
+        for part in ("light buffer", "out/spheres.0001.png", "out/timings.csv", "frames/s"):
             self.assertIn(part, done.stdout)
+
+    def test_the_closing_table_tells_the_first_frame_from_the_others(self):
+        done = self.succeed("render", SCENE, *SMALL, "--frames", "5")
+        rows = self.rows("out/timings.csv")
+        for label, column in (("1 light buffer", "shadow_map_ms"), ("4 rays on the CPU", "trace_ms"),
+                              ("from frame to frame", "wall_ms")):
+            line, = (line for line in done.stdout.splitlines() if line.startswith(label))
+            first, median = (float(word) for word in line[len(label):].split())
+            self.assertAlmostEqual(first, rows[0][column], delta=0.006)
+            self.assertAlmostEqual(median, statistics.median(row[column] for row in rows[1:]), delta=0.006)
 
     def test_default_size(self):
         self.succeed("render", SCENE, "-q", "--method", "raster")
