@@ -14,9 +14,8 @@ std::string rays(int64_t count) {
 }
 
 std::string name_of_row(size_t pass, const RenderJob& job) {
-  static constexpr const char* kNames[] = {
-      "1 light buffer", "2 triangle ids", "3 marking", "  readback", "4 rays on the CPU", "  upload",
-      "5 shading",      "  download"};
+  static constexpr const char* kNames[] = {"1 light buffer",    "2 triangle ids", "3 marking", "  readback",
+                                           "4 rays on the CPU", "  upload",       "5 shading", "  download"};
   if (pass == kWall) return "from frame to frame";
   if (!uses_shadow_map(job.settings)) return kNames[pass];
   if (pass == static_cast<size_t>(PassId::shadow_map)) return "1 shadow map";
@@ -82,9 +81,7 @@ void RunTotals::add(const Frame& frame) {
   row[kWall] = static_cast<float>(frame.timings.wall_ms);
 }
 
-double RunTotals::frames_per_second() const {
-  return wall_ms > 0 ? static_cast<double>(frames) / (wall_ms * 1e-3) : 0;
-}
+double RunTotals::frames_per_second() const { return wall_ms > 0 ? static_cast<double>(frames) / (wall_ms * 1e-3) : 0; }
 
 std::string summary_table(const RenderJob& job, const RunTotals& totals) {
   return times_table(job, totals) + rays_table(job, totals) +

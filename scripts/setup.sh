@@ -30,6 +30,11 @@ packages=(
   libclang-rt-dev        # fuzzing: its runtime
   clang-format           # scripts/format.sh
   clang-tidy             # scripts/tidy.sh
+  python3-matplotlib     # charts
+)
+# Tests that need these are skipped without them.
+optional=(
+  chromium               # opens reports
 )
 
 fail() {
@@ -37,11 +42,12 @@ fail() {
   exit 1
 }
 
-missing_packages() {
+# Those of the given packages that are not installed.
+missing_of() {
   local installed
   # Fails if a package is unknown, but still prints the others.
-  installed=$(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' "${packages[@]}" 2>/dev/null | sed -n 's/^ii *//p' || true)
-  comm -23 <(printf '%s\n' "${packages[@]}" | sort) <(sort -u <<<"$installed")
+  installed=$(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' "$@" 2>/dev/null | sed -n 's/^ii *//p' || true)
+  comm -23 <(printf '%s\n' "$@" | sort) <(sort -u <<<"$installed")
 }
 
 apt_get() {
@@ -50,7 +56,7 @@ apt_get() {
 }
 
 install_missing() {
-  apt_get install --no-install-recommends "${missing[@]}"
+  [ ${#missing[@]} -eq 0 ] || apt_get install --no-install-recommends "${missing[@]}"
 }
 
 [ "${HYBRIDRT_SETUP:-}" != skip ] || exit 0
@@ -58,8 +64,9 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   fail "no apt here; install the equivalents of Debian's ${packages[*]}, then set HYBRIDRT_SETUP=skip"
 fi
 
-mapfile -t missing < <(missing_packages)
-[ ${#missing[@]} -gt 0 ] || exit 0
+mapfile -t missing < <(missing_of "${packages[@]}")
+mapfile -t useful < <(missing_of "${optional[@]}")
+[ $((${#missing[@]} + ${#useful[@]})) -gt 0 ] || exit 0
 
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
@@ -67,7 +74,7 @@ if [ "$(id -u)" -ne 0 ]; then
   as_root=(sudo)
 fi
 
-echo "setup.sh: installing ${#missing[@]} Debian packages: ${missing[*]}" >&2
+echo "setup.sh: installing Debian packages: ${missing[*]} ${useful[*]}" >&2
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 # A new machine has no package lists, and an old one may have outdated lists; then the first attempt fails. Mirrors fail
@@ -79,3 +86,5 @@ if ! install_missing; then
     fail "apt-get could not install: ${missing[*]}"
   }
 fi
+[ ${#useful[@]} -eq 0 ] || apt_get install --no-install-recommends "${useful[@]}" ||
+  echo "setup.sh: not installed: ${useful[*]}; tests that need them are skipped" >&2

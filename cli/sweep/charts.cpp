@@ -2,9 +2,11 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fmt/format.h>
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
 
 #include "cli/standard_streams.h"
 #include "core/base/error.h"
@@ -16,35 +18,60 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the installed program, else among the sources that it was built from.
+/// Beside the installed program, else among the sources that hold the folder that it was built in.
 fs::path report_script() {
   std::error_code problem;
-  const fs::path binary = fs::read_symlink("/proc/self/exe", problem);
-  const fs::path installed = binary.parent_path().parent_path() / "share/hybridrt/report";
+  const fs::path prefix = fs::read_symlink("/proc/self/exe", problem).parent_path().parent_path();
+  const fs::path installed = prefix / "share/hybridrt/report";
   if (fs::exists(installed / "__main__.py")) return installed;
-  const fs::path source = HYBRIDRT_REPORT_SOURCE;
+  const fs::path source = prefix.parent_path().parent_path() / "scripts/report";
   if (fs::exists(source / "__main__.py")) return source;
   throw error(ErrorKind::input, "{}: the script that draws charts is not there; install hybridrt again",
               installed.string());
 }
 
-}  // namespace
-
-ExitCode draw_charts(const fs::path& folder) {
-  flush_output();  // what the script prints follows
-  const std::string script = report_script().string(), where = folder.string();
-  const char* const arguments[] = {"python3", script.c_str(), where.c_str(), nullptr};
+/// Runs a program and waits for it; its exit code, or -1 if it cannot be started or is killed. `silent`: it prints
+/// nothing.
+int run_program(const std::vector<std::string>& command, bool silent) {
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (silent)
+    for (int stream : {STDOUT_FILENO, STDERR_FILENO})
+      posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
   pid_t child = 0;
-  const int failure = posix_spawnp(&child, "python3", nullptr, nullptr, const_cast<char* const*>(arguments), environ);
-  if (failure != 0)
-    throw error(ErrorKind::input, "{}: no charts drawn: python3 cannot be started ({}); install python3 and Matplotlib",
-                where, std::strerror(failure));
+  const int failure = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) return -1;
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return ExitCode::ok;
-  return WIFEXITED(status) && WEXITSTATUS(status) == static_cast<int>(ExitCode::input) ? ExitCode::input
-                                                                                       : ExitCode::internal;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// The first Python that has Matplotlib, else the first that runs at all: the system's often has it where one that
+/// stands before it in PATH does not.
+std::string find_python() {
+  std::string any;
+  for (const char* python : {"python3", "/usr/bin/python3"}) {
+    if (run_program({python, "-c", "import matplotlib"}, /*silent=*/true) == 0) return python;
+    if (any.empty() && run_program({python, "-c", ""}, /*silent=*/true) == 0) any = python;
+  }
+  if (any.empty())
+    throw error(ErrorKind::input, "no charts drawn: they need python3 with Matplotlib; install python3-matplotlib");
+  return any;
+}
+
+}  // namespace
+
+ExitCode draw_charts(const fs::path& folder) {
+  const std::string script = report_script().string(), python = find_python();
+  flush_output();  // what the script prints follows
+  const int code = run_program({python, script, folder.string()}, /*silent=*/false);
+  if (code == 0) return ExitCode::ok;
+  return code == static_cast<int>(ExitCode::input) ? ExitCode::input : ExitCode::internal;
 }
 
 }  // namespace hybridrt::cli

@@ -1,30 +1,23 @@
 // Whole frames: the hybrid on the CPU, our own ray tracer and a plain Embree program, on the same scene, view and
 // light.
-//   frame_bench [--threads=N] [--rounds=N] [--size=1024x768] [--depth=N] [--alone] SCENE...
+//   frame_bench [--threads=N] [--rounds=N] [--size=1024x768] [--depth=N] [--target=NAME] [--alone] SCENE...
 // The three take turns, and medians of the rounds are printed in milliseconds, with what Embree's and the ray tracer's
 // frames take over the hybrid's, and the hybrid's passes by the threads' time. --alone: the hybrid only, for a
 // profiler.
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
 
 #include "core/base/timing.h"
 #include "core/passes_cpu/trace_pass.h"
 #include "core/render/kept_light_buffers.h"
 #include "core/render/scene_caster.h"
 #include "core/render/tile_renderer.h"
+#include "tests/bench/bench_options.h"
 #include "tests/bench/embree_frame.h"
 #include "tests/bench/ray_sets.h"
 
 namespace hybridrt {
 namespace {
-
-struct Options {
-  int threads = allowed_processors(), rounds = 11, width_px = 1024, height_px = 768, depth = 1;
-  bool alone = false;  ///< the hybrid only, for a profiler
-  std::vector<std::string> scenes;
-};
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -36,7 +29,7 @@ Camera camera_of(const View& view) {
   return {view.eye, view.eye + view.forward, view.up, 2 * std::atan(view.tan_half_height)};
 }
 
-void measure(const std::string& name, const Options& options, ThreadPool& pool) {
+void measure(const std::string& name, const BenchOptions& options, ThreadPool& pool) {
   BenchScene bench = load_bench_scene(name, pool);
   bench.scene.origin_world = dvec3(0);
   const SceneFacts facts = make_scene_facts(bench.scene);
@@ -98,22 +91,7 @@ void measure(const std::string& name, const Options& options, ThreadPool& pool) 
 
 int main(int argc, char** argv) {
   using namespace hybridrt;
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    if (!std::strncmp(argv[i], "--threads=", 10))
-      options.threads = std::max(1, std::atoi(argv[i] + 10));
-    else if (!std::strncmp(argv[i], "--rounds=", 9))
-      options.rounds = std::max(1, std::atoi(argv[i] + 9));
-    else if (!std::strcmp(argv[i], "--alone"))
-      options.alone = true;
-    else if (!std::strncmp(argv[i], "--depth=", 8))
-      options.depth = std::max(0, std::atoi(argv[i] + 8));
-    else if (!std::strncmp(argv[i], "--size=", 7))
-      std::sscanf(argv[i] + 7, "%dx%d", &options.width_px, &options.height_px);
-    else
-      options.scenes.emplace_back(argv[i]);
-  }
-  if (options.scenes.empty()) options.scenes = {"scene:spheres,triangles=20000"};
+  const BenchOptions options = parse_bench_options(argc, argv);
   ThreadPool pool(options.threads);
   printf("scene,triangles,hybrid,raytrace,embree,embree/hybrid,raytrace/hybrid,id,mark,trace,shade,download\n");
   for (const std::string& scene : options.scenes) measure(scene, options, pool);

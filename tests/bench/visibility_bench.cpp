@@ -5,30 +5,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <functional>
-#include <hwy/targets.h>
 
 #include "core/base/timing.h"
 #include "core/raster/visibility.h"
+#include "tests/bench/bench_options.h"
 #include "tests/bench/embree_primary.h"
 #include "tests/bench/ray_sets.h"
 
 namespace hybridrt {
 namespace {
 
-struct Options {
-  int threads = allowed_processors(), rounds = 11, width_px = 1024, height_px = 768;
-  std::vector<std::string> scenes;
-};
-
 struct NamedView {
   const char* name;
   View view;
 };
 
-std::vector<NamedView> views_of(const BenchScene& bench, const Options& options) {
+std::vector<NamedView> views_of(const BenchScene& bench, const BenchOptions& options) {
   const auto sized = [&](View view) {
     view.tan_half_width = view.tan_half_height * options.width_px / options.height_px;
     view.width_px = view.frame_width_px = options.width_px;
@@ -61,7 +54,7 @@ struct Candidate {
 
 /// Returns the ratio.
 double compare(const std::string& scene_name, const NamedView& view, const BenchScene& bench, const Clusters& clusters,
-               const EmbreePrimary& robust, const EmbreePrimary& plain, ThreadPool& pool, const Options& options) {
+               const EmbreePrimary& robust, const EmbreePrimary& plain, ThreadPool& pool, const BenchOptions& options) {
   std::vector<uint32_t> ids(static_cast<size_t>(options.width_px) * options.height_px);
   RasterMemory memory;
   std::vector<Candidate> candidates = {
@@ -94,22 +87,7 @@ double compare(const std::string& scene_name, const NamedView& view, const Bench
 
 int main(int argc, char** argv) {
   using namespace hybridrt;
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    if (!std::strncmp(argv[i], "--threads=", 10))
-      options.threads = std::max(1, std::atoi(argv[i] + 10));
-    else if (!std::strncmp(argv[i], "--rounds=", 9))
-      options.rounds = std::max(1, std::atoi(argv[i] + 9));
-    else if (!std::strncmp(argv[i], "--size=", 7))
-      std::sscanf(argv[i] + 7, "%dx%d", &options.width_px, &options.height_px);
-    else if (!std::strncmp(argv[i], "--target=", 9)) {
-      for (const int64_t target : hwy::SupportedAndGeneratedTargets())
-        if (!std::strcmp(argv[i] + 9, hwy::TargetName(target))) hwy::SetSupportedTargetsForTest(target);
-    } else {
-      options.scenes.emplace_back(argv[i]);
-    }
-  }
-  if (options.scenes.empty()) options.scenes = {"scene:spheres,triangles=20000"};
+  const BenchOptions options = parse_bench_options(argc, argv);
   ThreadPool pool(options.threads);
   double log_sum = 0;
   int count = 0;
