@@ -55,7 +55,8 @@ SweepOptions with_preset(SweepOptions options) {
   return options;
 }
 
-/// Axes of scenes first, then of views, so that what is loaded or true for several settings is at hand for all of them.
+/// The scene first, as parameters follow it; then what else changes scenes, then views: what is loaded or true for
+/// several settings is at hand for all of them.
 std::vector<Axis> axes_of(const SweepOptions& options) {
   std::vector<Axis> axes;
   for (const std::string& text : options.over) {
@@ -66,7 +67,10 @@ std::vector<Axis> axes_of(const SweepOptions& options) {
     if (is_given(options.render, "--" + last.name))
       throw error(ErrorKind::usage, "--{} and --over {}: give one of them", last.name, text);
   }
-  std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.kind > b.kind; });
+  std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) {
+    const bool a_is_scene = a.name == "scene", b_is_scene = b.name == "scene";
+    return a_is_scene != b_is_scene ? a_is_scene : a.kind > b.kind;
+  });
   return axes;
 }
 
@@ -137,7 +141,7 @@ void add_sweep_command(CLI::App& app, const std::vector<std::string>& command_li
   const char* group = "Sweep";
   command
       ->add_option("--over", options->over,
-                   "Any render option, or triangles or reflective of a scene:NAME: A,B,C or FIRST:LAST:STEP or "
+                   "Any render option, scene, or triangles or reflective of a scene:NAME: A,B,C or FIRST:LAST:STEP or "
                    "FIRST:LAST:*FACTOR; values that hold commas are separated by ;. Several --over multiply")
       ->type_name("AXIS=VALUES")
       ->take_all()

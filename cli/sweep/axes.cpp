@@ -19,7 +19,7 @@ constexpr size_t kMostValues = 10'000;  // per axis
 constexpr std::string_view kQuality[] = {
     "method",  "shadows",    "blur-kernel",      "shadow-map", "samples", "shadow-warp", "reflection-depth", "accel",
     "threads", "max-memory", "frames-in-flight", "gl",         "device",  "shaders",     "require-hardware"};
-constexpr std::string_view kScene[] = {"up-axis", "mesh-colors", "ground", "reflection-percent"};
+constexpr std::string_view kScene[] = {"scene", "up-axis", "mesh-colors", "ground", "reflection-percent"};
 constexpr std::string_view kParameters[] = {"triangles", "reflective"};
 constexpr std::string_view kNoAxes[] = {"frames", "sequence", "aov"};
 
@@ -31,8 +31,8 @@ bool is_among(const std::string_view (&names)[N], std::string_view name) {
 bool is_procedural(const std::string& scene) { return scene.starts_with("scene:"); }
 
 std::vector<std::string> axis_names(bool procedural) {
-  std::vector<std::string> names;
-  if (procedural) names.assign(std::begin(kParameters), std::end(kParameters));
+  std::vector<std::string> names = {"scene"};
+  if (procedural) names.insert(names.end(), std::begin(kParameters), std::end(kParameters));
   for (const RenderOption& option : render_option_table())
     if (!is_among(kNoAxes, option.name + 2)) names.emplace_back(option.name + 2);
   return names;
@@ -75,7 +75,9 @@ AxisKind kind_of(const std::string& name, bool is_parameter) {
 }
 
 void apply(const Axis& axis, const std::string& value, RenderOptions& options) {
-  if (axis.is_parameter)
+  if (axis.name == "scene")
+    options.scene = value;
+  else if (axis.is_parameter)
     options.scene += fmt::format(",{}={}", axis.name, value);  // the last one counts
   else
     set_render_option(options, "--" + axis.name, value);
@@ -118,7 +120,7 @@ Axis parse_axis(const std::string& text, const std::string& scene) {
     RenderOptions trial;
     trial.scene = scene;
     apply(axis, value, trial);  // throws for a value that the option does not take
-    if (axis.is_parameter) parse_scene_source(trial.scene);
+    if (axis.is_parameter || axis.name == "scene") parse_scene_source(trial.scene);
   }
   return axis;
 }

@@ -15,7 +15,7 @@ enum class AxisKind {
   scene,    ///< the scene itself: it is loaded for each value
 };
 
-/// One dimension of a sweep: a render option, or a parameter of a procedural scene.
+/// One dimension of a sweep: a render option, the scene, or a parameter of a procedural scene.
 struct Axis {
   std::string name;                 ///< "blur-kernel"
   std::vector<std::string> values;  ///< as the option takes them; at least one

@@ -78,6 +78,13 @@ class Rows(SweepTestCase):
         self.assertLess(int(rows[0]["triangles"]), int(rows[2]["triangles"]))
         self.assertEqual([row["reflective"] for row in rows], ["0", "100"] * 2)
 
+    def test_scenes_are_an_axis(self):
+        self.sweep("--over", "shadows=none,exact", "--over",
+                   "scene=scene:spheres,triangles=500;scene:chess,triangles=10k", "--rounds", "1")
+        self.assertEqual([(row["scene"][:10], row["shadows"]) for row in self.rows()],
+                         [("scene:sphe", "none"), ("scene:sphe", "exact"), ("scene:ches", "none"), ("scene:ches", "exact")])
+        self.assertEqual(len({s["truth"] for s in self.facts()["settings"]}), 2)
+
     def test_threads_are_an_axis(self):
         self.sweep("--over", "threads=1,2", "--rounds", "1")
         self.assertEqual([row["threads"] for row in self.rows()], ["1", "2"])
