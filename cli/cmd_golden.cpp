@@ -57,7 +57,7 @@ CaseJob make_case_job(const GoldenCase& golden, const GoldenOptions& options_giv
   arguments.push_back(golden.scene);
   try {
     parser.parse(arguments);
-    const SceneSource source = parse_scene_source(command_line.scene);
+    const SceneSource source = scene_source_of(command_line);
     RenderOptions options = with_scene_settings(command_line, source);
     choose_gl(options_given, options);
     CaseJob made{std::make_unique<ThreadPool>(thread_count(options)), {}};

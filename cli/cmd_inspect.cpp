@@ -11,7 +11,7 @@ namespace hybridrt::cli {
 namespace {
 
 ExitCode inspect(const RenderOptions& command_line, bool as_json) {
-  const SceneSource source = parse_scene_source(command_line.scene);
+  const SceneSource source = scene_source_of(command_line);
   const RenderOptions options = with_scene_settings(command_line, source);
   ThreadPool pool(thread_count(options));
   Inspection found;

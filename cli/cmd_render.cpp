@@ -31,7 +31,7 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   Warnings warnings;
   RunTotals totals;
   const Stopwatch loading;
-  const SceneSource source = parse_scene_source(given.scene);
+  const SceneSource source = scene_source_of(given);
   const RenderOptions options = with_scene_settings(given, source);
   const int threads = thread_count(options);
   gl::limit_software_threads(threads);  // before the first thread is started

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/option_values.h"
+#include "core/load/spooled_scene.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -81,6 +82,9 @@ std::vector<RenderOption> picture() {
        [](Options& o, Text t) { o.sequence = parse_sequence(t); }},
       {"--size", "WxH", group, fmt::format("Pixels (default {}x{})", defaults.width_px, defaults.height_px),
        [](Options& o, Text t) { parse_size("--size", t, o.settings); }},
+      {"--input-format", "F", group,
+       fmt::format("What a SCENE of - (standard input) is: {}", names_in(kMeshFormatNames)),
+       [](Options& o, Text t) { o.input_format = parse_name("--input-format", kMeshFormatNames, t); }},
       {"--mesh-colors", "SPACE", group,
        fmt::format("What the colours of vertices and faces in OBJ, PLY, OFF and STL files are: {} (default {})",
                    names_in(kMeshColors), name_in(kMeshColors, MeshColors())),

@@ -5,6 +5,7 @@
 
 #include "cli/render_option_table.h"
 #include "core/base/error.h"
+#include "core/load/spooled_scene.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -28,9 +29,10 @@ void require_inside(const PixelRect& crop, const RenderSettings& s) {
 }  // namespace
 
 void add_render_options(CLI::App& app, RenderOptions& o) {
-  app.add_option("scene", o.scene,
-                 "OBJ, PLY, OFF or STL file, scene .json, or scene:NAME[,triangles=N,reflective=P] (" +
-                     procedural_names() + ")")
+  app.add_option(
+         "scene", o.scene,
+         "OBJ, PLY, OFF or STL file, - for standard input, scene .json, or scene:NAME[,triangles=N,reflective=P] (" +
+             procedural_names() + ")")
       ->required()
       ->type_name("SCENE");
   for (const RenderOption& option : render_option_table()) {
@@ -47,6 +49,16 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
           ->type_name(option.value)
           ->group(option.group);
   }
+}
+
+SceneSource scene_source_of(const RenderOptions& options) {
+  const bool is_standard_input = options.scene == "-";
+  if (is_standard_input && !options.input_format)
+    throw error(ErrorKind::usage, "SCENE - is standard input: say what it brings, like --input-format obj");
+  if (!is_standard_input && options.input_format)
+    throw error(ErrorKind::usage, "--input-format is for SCENE - (standard input); {} says by its name what it is",
+                options.scene);
+  return is_standard_input ? read_scene_from_standard_input(*options.input_format) : parse_scene_source(options.scene);
 }
 
 void set_render_option(RenderOptions& options, const std::string& name, const std::string& value) {

@@ -8,6 +8,7 @@
 
 #include "core/base/named.h"
 #include "core/gl/context.h"
+#include "core/load/mesh_format.h"
 #include "core/load/scene_source.h"
 #include "core/render/frame_spec.h"
 #include "core/render/settings.h"
@@ -33,6 +34,7 @@ struct RenderOptions {
   std::optional<FrameRange> sequence;        ///< default: from the first to the last frame
   std::optional<UpAxis> up_axis;             ///< default: what the scene says
   std::optional<vec3> background;            ///< linear; default: what the scene says
+  std::optional<MeshFormat> input_format;    ///< of a scene from standard input
   std::optional<double> reflection_percent;  ///< share of the triangles made mirrors; default: as the scene is
   bool linear_colors = false;                ///< the meshes' colours are linear, not sRGB
   bool ground = false;                       ///< a floor under the scene
@@ -52,6 +54,10 @@ struct RenderOptions {
 
 /// Adds the options of render_option_table.h: what decides pictures and how they are made, not where they go.
 void add_render_options(CLI::App& app, RenderOptions& options);
+
+/// What the options' scene is; "-" is read from standard input now. Throws as parse_scene_source() and
+/// read_scene_from_standard_input(), Error(usage) unless --input-format goes with "-".
+SceneSource scene_source_of(const RenderOptions& options);
 
 /// Sets an option as the command line would. Throws Error(usage) for a value that it does not take; `name`, with
 /// dashes, must be one of the table.

@@ -76,7 +76,8 @@ std::string man_page(const CLI::App& app) {
       "renderer of "
       "frame sequences\n.SH SYNOPSIS\n.B hybridrt\n.I COMMAND\n[options]\n.SH OPTIONS\n{}.SH COMMANDS\n{}.SH EXIT "
       "STATUS\n"
-      "0 ok, 1 some settings of a sweep failed, 2 usage, 3 scene, camera or other input, 4 no usable GL or device, 5 output could not be written,\n6 "
+      "0 ok, 1 some settings of a sweep failed, 2 usage, 3 scene, camera or other input, 4 no usable GL or device, 5 "
+      "output could not be written,\n6 "
       "images "
       "differ, 70 internal error, 130 or 143 stopped by a signal.\n",
       kVersion, options_as_roff(app), commands_as_roff(app, "hybridrt"));

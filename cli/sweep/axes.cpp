@@ -21,7 +21,7 @@ constexpr std::string_view kQuality[] = {
     "threads", "max-memory", "frames-in-flight", "gl",         "device",  "shaders",     "require-hardware"};
 constexpr std::string_view kScene[] = {"scene", "up-axis", "mesh-colors", "ground", "reflection-percent"};
 constexpr std::string_view kParameters[] = {"triangles", "reflective"};
-constexpr std::string_view kNoAxes[] = {"frames", "sequence", "aov"};
+constexpr std::string_view kNoAxes[] = {"frames", "sequence", "aov", "input-format"};
 
 template <size_t N>
 bool is_among(const std::string_view (&names)[N], std::string_view name) {

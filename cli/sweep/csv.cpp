@@ -12,8 +12,12 @@ namespace {
 std::string quoted(const std::string& cell) {
   if (cell.find_first_of(",\"\r\n") == cell.npos) return cell;
   std::string out = "\"";
-  for (char c : cell) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + '"';
+  for (char c : cell) {
+    if (c == '"') out += c;
+    out += c;
+  }
+  out += '"';
+  return out;
 }
 
 /// Takes one record off `text`, from `at`.
@@ -47,8 +51,12 @@ std::optional<size_t> CsvTable::column(std::string_view name) const {
 
 std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
-  for (size_t i = 0; i < cells.size(); ++i) line += (i ? "," : "") + quoted(cells[i]);
-  return line + '\n';
+  for (const std::string& cell : cells) {
+    line += quoted(cell);
+    line += ',';
+  }
+  line.back() = '\n';
+  return line;
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {

@@ -58,7 +58,7 @@ void require_known(const MaterialKinds& kinds, const std::vector<LoadedMesh>& me
 }  // namespace
 
 Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, ThreadPool& pool, Warnings& warnings,
-                  const LoadWatch& watch, const MaterialKinds& kinds) {
+                  const LoadWatch& watch, const MaterialKinds& kinds, const std::filesystem::path& names_begin_in) {
   HRT_CHECK(!paths.empty());
   uint64_t memory_bytes = 0;
   for (const std::filesystem::path& path : paths) {
@@ -75,8 +75,8 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
     try {
       LoadedMesh& mesh = meshes[i];
       mesh.data = read_mesh(paths[i], own_pool, own_warnings[i], watch.progress);
-      mesh.library =
-          read_libraries(paths[i].parent_path(), mesh.data.libraries, mesh.library_files, own_warnings[i], kinds);
+      const std::filesystem::path folder = names_begin_in.empty() ? paths[i].parent_path() : names_begin_in;
+      mesh.library = read_libraries(folder, mesh.data.libraries, mesh.library_files, own_warnings[i], kinds);
       if (!mesh.data.materials.empty()) mesh.library = std::move(mesh.data.materials);
       turn(mesh.data, up);
     } catch (...) {

@@ -96,7 +96,8 @@ SceneSource parse_scene_source(const std::string& argument) {
 
 std::string short_name(const SceneSource& source) {
   if (source.procedural) return std::string(source.procedural->name);
-  return std::filesystem::path(source.argument).stem().string();
+  const bool has_file = source.argument != "-";
+  return (has_file ? std::filesystem::path(source.argument) : source.meshes.front()).stem().string();
 }
 
 std::optional<CameraCourse> camera_of(const SceneSource& source, UpAxis up, Warnings& warnings) {
@@ -106,7 +107,8 @@ std::optional<CameraCourse> camera_of(const SceneSource& source, UpAxis up, Warn
 Scene load_scene(const SceneSource& source, std::optional<UpAxis> up_axis, ThreadPool& pool, Warnings& warnings,
                  const LoadWatch& watch) {
   const UpAxis up = up_axis ? *up_axis : source.up_axis.value_or(UpAxis::y);
-  if (!source.procedural) return load_meshes(source.meshes, up, pool, warnings, watch, source.kinds);
+  if (!source.procedural)
+    return load_meshes(source.meshes, up, pool, warnings, watch, source.kinds, source.names_begin_in);
   if (up != UpAxis::y) throw error(ErrorKind::usage, "{}: its y axis points up; leave --up-axis out", source.argument);
   const ProceduralScene& scene = *source.procedural;
   const int64_t triangles =

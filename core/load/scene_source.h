@@ -28,6 +28,9 @@ struct SceneSource {
   ProceduralOptions procedural_options;
   std::vector<std::filesystem::path> meshes;  ///< at least one, or procedural
 
+  std::filesystem::path names_begin_in;   ///< where names in the meshes begin; empty: beside each mesh
+  std::shared_ptr<const void> kept_file;  ///< keeps a temporary mesh (spooled_scene.h)
+
   MaterialKinds kinds;  ///< of the meshes' materials
   std::optional<UpAxis> up_axis;
   std::optional<std::vector<DirectionalLight>> lights;  ///< `toward` unit, at most HRT_MAX_LIGHTS; may be none

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/base/named.h"
+#include "core/load/mesh_format.h"
+#include "core/load/scene_source.h"
+
+namespace hybridrt {
+
+inline constexpr Named<MeshFormat> kMeshFormatNames[] = {
+    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl}};
+
+/// The mesh that standard input brings. Readers need a file, so it goes into a temporary one, which is removed with the
+/// last copy of the result; names in it begin in the working directory. Throws Error(input) if nothing comes,
+/// Error(output) if it cannot be kept.
+SceneSource read_scene_from_standard_input(MeshFormat format);
+
+}  // namespace hybridrt
