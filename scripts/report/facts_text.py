@@ -1,0 +1,34 @@
+"""The caption that every chart carries: on what machine, from what commit, compared with what."""
+from __future__ import annotations
+
+from .sweep import Sweep, Truth
+
+
+def facts_text(sweep: Sweep, with_truth: bool) -> str:
+    facts = sweep.facts
+    version = " ".join(part for part in ("hybridrt", facts["version"], f"({facts['commit']})" if facts["commit"] else "") if part)
+    said = [f"{facts['processor'] or 'unknown processor'}, {counted(facts['threads'], 'thread')}",
+            sweep.gl_renderer or "all passes on the CPU",
+            version,
+            f"{'frame' if facts['frames'].isdigit() else 'frames'} {facts['frames'] or 'unknown'}, "
+            f"{counted(facts['rounds'], 'round')}: medians, bars from the first to the third quartile"]
+    if facts["scene"]:
+        said.insert(0, facts["scene"])
+    if with_truth:
+        said.append(truth_text(sweep.truth))
+    return "; ".join(said) + "."
+
+
+def truth_text(truth: Truth) -> str:
+    """What the pictures are compared with, and whether that has aliasing."""
+    note = f" ({truth.note})" if truth.note else ""
+    if truth.kind == "none":
+        return "compared with nothing" + note
+    aliasing = ("1 sample a pixel, so it has aliasing itself" if truth.samples == 1 else
+                f"{truth.samples} samples a pixel, so aliasing counts as an error")
+    what = "pictures of a folder" if truth.kind == "folder" else f"method {truth.method}"
+    return f"truth: {what}, {aliasing}{note}"
+
+
+def counted(number: str, noun: str) -> str:
+    return f"{number or '?'} {noun}" + ("" if number == "1" else "s")

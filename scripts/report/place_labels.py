@@ -1,0 +1,117 @@
+"""Texts beside points, so that no text covers another or a point. Greedy: each takes the best place still free."""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from matplotlib.axes import Axes
+
+from .look import FAINT, INK, plain
+
+Box = tuple[float, float, float, float]  # left, bottom, right, top, in points of the panel
+
+DIRECTIONS = 16
+LEADER_FROM_PT = 13
+POINT_PT = 4.5
+GAP_PT = 1.5
+
+
+@dataclass(frozen=True)
+class Label:
+    """`text` at the data's `x`, `y`. One that is not `needed` is left out where there is no room."""
+    x: float
+    y: float
+    text: str
+    size_pt: float
+    needed: bool
+
+
+def place_labels(axes: Axes, labels: Sequence[Label], taken: Sequence[Box], avoid: Sequence[tuple[float, float]]) -> int:
+    """Draws them, the first ones first; returns how many were left out. `taken`: boxes that are no place for a text;
+    `avoid`: points of a line, in the data's units, that texts had better not cover. The axes' limits must be final."""
+    panel = axes.get_window_extent()
+    transform = axes.transData.transform
+    marks = [tuple(transform((label.x, label.y))) for label in labels]
+    line = [tuple(transform(point)) for point in avoid]
+    boxes = [(x - POINT_PT, y - POINT_PT, x + POINT_PT, y + POINT_PT) for x, y in marks]
+    boxes += [(left + panel.x0, bottom + panel.y0, right + panel.x0, top + panel.y0) for left, bottom, right, top in taken]
+    bounds = (panel.x0, panel.y0, panel.x1, panel.y1)
+    left_out = 0
+    for label, mark in zip(labels, marks):
+        width, height = _size(axes, label)
+        best = min(_candidates(mark, width, height, label.needed),
+                   key=lambda place: _cost(place, mark, bounds, boxes, line))
+        if not label.needed and _cost(best, mark, bounds, boxes, line) > 100:
+            left_out += 1
+            continue
+        boxes.append(best)
+        _draw(axes, label, mark, best)
+    return left_out
+
+
+def _size(axes: Axes, label: Label) -> tuple[float, float]:
+    text = axes.text(0, 0, plain(label.text), fontsize=label.size_pt)
+    extent = text.get_window_extent()
+    text.remove()
+    return extent.width, extent.height
+
+
+def _candidates(mark: tuple[float, float], width: float, height: float, far: bool):
+    for distance in (7, 10, 16, 24, 34, 46, 60, 80, 105) if far else (6, 8, 11):
+        for step in range(DIRECTIONS):
+            angle = 2 * math.pi * (step + 1) / DIRECTIONS
+            x, y = mark[0] + distance * math.cos(angle), mark[1] + distance * math.sin(angle)
+            left = x - width * (0.5 - 0.5 * math.cos(angle))
+            bottom = y - height * (0.5 - 0.5 * math.sin(angle))
+            yield left, bottom, left + width, bottom + height
+
+
+def _cost(place: Box, mark: tuple[float, float], bounds: Box, boxes: Sequence[Box], line: Sequence[tuple[float, float]]) -> float:
+    left, bottom, right, top = place
+    nearest = _nearest(place, mark)
+    cost = math.dist(nearest, mark)
+    outside = max(bounds[0] - left, bounds[1] - bottom, right - bounds[2], top - bounds[3])
+    if outside > 0:
+        cost += 1000 + outside
+    wide = (left - GAP_PT, bottom - GAP_PT, right + GAP_PT, top + GAP_PT)
+    cost += sum(500 for box in boxes if _overlap(wide, box))
+    if math.dist(nearest, mark) > LEADER_FROM_PT:
+        cost += sum(60 for box in boxes if _crosses(mark, nearest, box))
+    cost += 25 * any(_crosses(a, b, place) for a, b in zip(line, line[1:]))
+    return cost
+
+
+def _overlap(a: Box, b: Box) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def _nearest(box: Box, point: tuple[float, float]) -> tuple[float, float]:
+    return min(max(point[0], box[0]), box[2]), min(max(point[1], box[1]), box[3])
+
+
+def _crosses(start: tuple[float, float], end: tuple[float, float], box: Box) -> bool:
+    """Whether the segment meets the box; one that starts inside of it is the point's own and does not count."""
+    if box[0] <= start[0] <= box[2] and box[1] <= start[1] <= box[3]:
+        return False
+    low, high = 0.0, 1.0
+    for k in (0, 1):
+        step = end[k] - start[k]
+        if step == 0:
+            if not box[k] <= start[k] <= box[k + 2]:
+                return False
+            continue
+        near, far = sorted(((box[k] - start[k]) / step, (box[k + 2] - start[k]) / step))
+        low, high = max(low, near), min(high, far)
+    return low <= high
+
+
+def _draw(axes: Axes, label: Label, mark: tuple[float, float], place: Box) -> None:
+    nearest = _nearest(place, mark)
+    if math.dist(nearest, mark) > LEADER_FROM_PT:
+        axes.annotate("", xy=(label.x, label.y), xytext=(nearest[0] - mark[0], nearest[1] - mark[1]),
+                      textcoords="offset points", arrowprops={"arrowstyle": "-", "color": FAINT, "linewidth": 0.6,
+                                                              "shrinkA": 0, "shrinkB": POINT_PT}, zorder=4)
+    axes.annotate(plain(label.text), xy=(label.x, label.y), xytext=(place[0] - mark[0], place[1] - mark[1]),
+                  textcoords="offset points", fontsize=label.size_pt, color=INK if label.needed else FAINT,
+                  ha="left", va="bottom", zorder=5)
