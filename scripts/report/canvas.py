@@ -14,12 +14,12 @@ from .look import FAINT, plain
 WIDTH = 7.2
 LEFT, RIGHT = 0.78, 0.16
 TITLE = 0.36
-LEGEND_ROW = 0.2
+LEGEND_ROW = 0.17
 PANEL_TITLE = 0.24
 ROW_GAP = 0.16
 COLUMN_GAP = 0.3
 FACTS_LINE = 0.145
-FACTS_CHARACTERS = 108
+FACTS_CHARACTERS = 128
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ def make_canvas(title: str, facts: str, *, headings: Sequence[str], panel_height
         y = height - top - heading - panel_height - row * (heading + panel_height + below + ROW_GAP)
         axes = figure.add_axes((
             (LEFT + column * (width + COLUMN_GAP)) / WIDTH, y / height, width / WIDTH, panel_height / height))
-        axes.set_title(plain(text), fontsize=9.5, pad=5)
+        axes.set_title(plain(text), fontsize=9, pad=5)
         if column:
             axes.tick_params(labelleft=False)
         panels.append(axes)
@@ -69,7 +69,7 @@ def add_legend(canvas: Canvas, handles: Sequence[object], labels: Sequence[str],
     # Matplotlib fills columns first: deal the entries out so that rows read in order.
     order = [row * columns + column for column in range(columns) for row in range(rows) if row * columns + column < len(labels)]
     canvas.figure.legend([handles[i] for i in order], [plain(labels[i]) for i in order], loc="upper left", ncol=columns,
-                         bbox_to_anchor=(0.06 / WIDTH, 1 - (TITLE - 0.04) / height), borderaxespad=0, borderpad=0.2,
+                         bbox_to_anchor=(0.12 / WIDTH, 1 - (TITLE - 0.02) / height), borderaxespad=0, borderpad=0,
                          columnspacing=1.4, labelspacing=0.3, handlelength=2.4, handletextpad=0.6)
 
 
@@ -79,10 +79,14 @@ def legend_rows(entries: int, columns: int) -> int:
 
 def legend_columns(labels: Sequence[str]) -> int:
     """As many as fit beside each other."""
-    longest = max(map(len, labels), default=1)
-    return max(1, min(4, len(labels), int((WIDTH * 72 - 20) / (longest * 5.6 + 42))))
+    for columns in range(min(5, len(labels)), 1, -1):
+        widest = [max(map(len, labels[column::columns])) for column in range(columns)]
+        if sum(letters * 5.6 + 42 for letters in widest) < WIDTH * 72 - 10:
+            return columns
+    return 1
 
 
-def column_letters(canvas: Canvas, letters_pt: float = 5.5) -> int:
-    """How many letters fit under the first panel's width."""
-    return int(canvas.panels[0].get_position().width * WIDTH * 72 / letters_pt)
+def panel_letters(panels: int) -> int:
+    """How many letters of a heading or of ticks fit in a panel's width, where there are two columns of panels."""
+    columns = min(2, panels)
+    return int((WIDTH - LEFT - RIGHT - (columns - 1) * COLUMN_GAP) / columns * 72 / 5.1)

@@ -7,12 +7,13 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from .canvas import Canvas, add_legend, legend_columns, legend_rows, make_canvas
-from .combinations import Key, first_ones, grouped, key_text, position, varying
-from .look import MOST_LINES, line_style, shortened
+from .combinations import Key, first_ones, grouped, position, varying
+from .look import MOST_LINES, line_style
+from .setting_name import heading
 from .summaries import Summary
 from .sweep import Axis
 
-LEGEND_LETTERS = 60
+LEGEND_LETTERS = 40
 
 
 def lines_over(axis: Axis, axes: Sequence[Axis], summaries: Sequence[Summary]) -> tuple[dict[str, list[Summary]], list[str]]:
@@ -23,13 +24,13 @@ def lines_over(axis: Axis, axes: Sequence[Axis], summaries: Sequence[Summary]) -
         key: sorted(group, key=lambda summary: position(axis, summary))
         for key, group in grouped(summaries, others).items() if len(group) > 1}
     kept, notes = first_ones(groups, MOST_LINES, "combinations of the other axes")
-    return {key_text(others, key): group for key, group in kept.items()}, notes
+    return {heading(others, key, LEGEND_LETTERS): group for key, group in kept.items()}, notes
 
 
 def legend_of(names: Sequence[str], extra: Sequence[tuple[Line2D, str]] = ()) -> tuple[list[Line2D], list[str], int]:
     """Handles, labels and columns; a single line needs no legend."""
     handles = [Line2D([], [], **line_style(place)) for place, name in enumerate(names) if name]
-    labels = [shortened(name, LEGEND_LETTERS) for name in names if name]
+    labels = [name for name in names if name]
     handles += [handle for handle, _ in extra]
     labels += [text for _, text in extra]
     return handles, labels, legend_columns(labels)

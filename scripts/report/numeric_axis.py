@@ -46,7 +46,9 @@ def log_ticks(axes: Axes, which: str, low: float, high: float) -> None:
     exponents = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     minor: list[float] = []
     if decades < 0.9:
-        major = list(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
+        major = [step * 10.0 ** exponent for exponent in exponents for step in (1, 1.5, 2, 3, 4, 5, 6, 8)]
+        if sum(low <= value <= high for value in major) < 3:
+            major = list(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
     else:
         steps = (1, 2, 5) if decades < 2.2 else (1,)
         major = [step * 10.0 ** exponent for exponent in exponents for step in steps]
@@ -69,4 +71,4 @@ def number_tick(value: float) -> str:
 def _far_apart(values: Sequence[float], wide: bool) -> bool:
     """Whether ticks at `values` leave room for their numbers."""
     places = [math.log(value) for value in values] if wide else values
-    return all(b - a >= 0.08 * (places[-1] - places[0]) for a, b in zip(places, places[1:]))
+    return all(b - a >= 0.055 * (places[-1] - places[0]) for a, b in zip(places, places[1:]))

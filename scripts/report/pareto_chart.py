@@ -7,16 +7,18 @@ from typing import Optional
 
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from .canvas import add_legend, make_canvas
+
+from .canvas import add_legend, make_canvas, panel_letters
 from .chart import Chart, Point
-from .combinations import Key, first_ones, key_text
+from .combinations import Key, first_ones, varying
 from .error_axis import ErrorAxis, draw_error_axis, error_axis
 from .facts_text import facts_text
 from .look import FAINT, INK, shortened
 from .number_text import error_text, ms_text
 from .numeric_axis import log_ticks
-from .pareto_front import label_without, pareto_front, truth_groups
+from .pareto_front import pareto_front, truth_groups
 from .place_labels import Label, place_labels
+from .setting_name import heading, short_name
 from .summaries import Summary
 from .sweep import Axis, Sweep
 
@@ -37,11 +39,12 @@ def pareto_chart(sweep: Sweep, summaries: Sequence[Summary]) -> Optional[Chart]:
     height = 4.1 if len(groups) == 1 else 2.7
     facts = facts_text(sweep, with_truth=True)
     canvas = make_canvas("Time against error", facts, legend_rows=1, panel_height=height, below=0.5,
-                         headings=[shortened(key_text(truth_axes, key), 48) for key in groups])
+                         headings=[heading(truth_axes, key, panel_letters(len(groups))) for key in groups])
     scale = error_axis(shown, 72 * height)
+    varied = varying(sweep.axes, shown)
     left_out = 0
     for place, (axes, key) in enumerate(zip(canvas.panels, groups)):
-        left_out += _panel(axes, groups[key], truth_axes, scale, small=len(groups) > 1)
+        left_out += _panel(axes, groups[key], [axis for axis in varied if axis not in truth_axes], scale, small=len(groups) > 1)
         if place % 2 == 0:
             axes.set_ylabel("RMSE of display values, 0 to 1")
         axes.set_xlabel("ms a frame")
@@ -61,8 +64,8 @@ def pareto_chart(sweep: Sweep, summaries: Sequence[Summary]) -> Optional[Chart]:
         points=tuple(Point(_gid(summary), summary.setting.number, _tooltip(summary)) for summary in shown))
 
 
-def _panel(axes: Axes, group: Sequence[Summary], truth_axes: Sequence[Axis], scale: ErrorAxis, small: bool) -> int:
-    """Returns how many numbers found no room."""
+def _panel(axes: Axes, group: Sequence[Summary], named: Sequence[Axis], scale: ErrorAxis, small: bool) -> int:
+    """`named`: axes whose values are said. Returns how many numbers found no room."""
     front = pareto_front(group)
     draw_error_axis(axes, scale)
     low, high = min(summary.wall.low for summary in group), max(summary.wall.high for summary in group)
@@ -76,23 +79,25 @@ def _panel(axes: Axes, group: Sequence[Summary], truth_axes: Sequence[Axis], sca
         corners += [(summary.wall.middle, corners[-1][1]), (summary.wall.middle, scale.y(summary))]
     corners.append((high, corners[-1][1]))
     axes.plot(*zip(*corners), **STEP, zorder=2)
+    bars = [[(summary.wall.low, scale.y(summary)), (summary.wall.high, scale.y(summary))] for summary in group]
     on_front = {summary.setting.number for summary in front}
+    for bar in bars:
+        axes.plot(*zip(*bar), color=FAINT, linewidth=1, zorder=2.5)
     for summary in sorted(group, key=lambda summary: summary.setting.number in on_front):
         style = ON_FRONT if summary.setting.number in on_front else OFF_FRONT
-        y = scale.y(summary)
-        axes.plot([summary.wall.low, summary.wall.high], [y, y], color=FAINT, linewidth=1, zorder=2.5)
-        axes.plot([summary.wall.middle], [y], linestyle="", gid=_gid(summary), zorder=3, **style)
+        axes.plot([summary.wall.middle], [scale.y(summary)], linestyle="", gid=_gid(summary), zorder=3, **style)
 
-    size, width = (7.5, 24) if small else (8.5, 32)
-    labels = [Label(summary.wall.middle, scale.y(summary), _front_text(summary, truth_axes, width), size, True) for summary in front]
+    size, width = (7.5, 26) if small else (8.5, 36)
+    labels = [Label(summary.wall.middle, scale.y(summary), _front_text(summary, named, width), size, True) for summary in front]
     labels += [Label(summary.wall.middle, scale.y(summary), str(summary.setting.number), 7, False)
                for summary in group if summary.setting.number not in on_front]
-    return place_labels(axes, labels, [EQUAL_TEXT_BOX] if scale.bottom < scale.low else [], corners)
+    return place_labels(axes, labels, [EQUAL_TEXT_BOX] if scale.bottom < scale.low else [], [corners, *bars])
 
 
-def _front_text(summary: Summary, truth_axes: Sequence[Axis], width: int) -> str:
-    text = f"{summary.setting.number} {label_without(summary, truth_axes)}"
-    return "\n".join(textwrap.wrap(shortened(text, 3 * width - 4), width))
+def _front_text(summary: Summary, axes: Sequence[Axis], width: int) -> str:
+    """`axes`: those whose values a reader needs."""
+    text = shortened(f"{summary.setting.number} {short_name(summary, axes)}", 3 * width - 4)
+    return "\n".join(textwrap.wrap(text, width, break_on_hyphens=False))
 
 
 def _tooltip(summary: Summary) -> str:

@@ -1,7 +1,6 @@
 """Which settings no other beats in both time and error."""
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from .combinations import Key, grouped, varying
@@ -27,15 +26,6 @@ def truth_groups(axes: Sequence[Axis], summaries: Sequence[Summary]) -> tuple[li
     candidates = comparable(summaries)
     truth_axes = varying([axis for axis in axes if axis.changes_truth], candidates)
     return truth_axes, grouped(candidates, truth_axes)
-
-
-def label_without(summary: Summary, axes: Sequence[Axis]) -> str:
-    """A setting's label without the values of `axes`, which a heading names."""
-    label = summary.setting.label
-    for axis in axes:
-        pair = re.escape(f"{axis.name}={summary.setting.values[axis.name]}")
-        label = re.sub(rf"(^|[\s,;]+){pair}(?=$|[\s,;])", "", label)
-    return label.strip(" ,;") or summary.setting.label
 
 
 def _beats(mine: Summary, other: Summary) -> bool:

@@ -8,17 +8,19 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from .canvas import add_legend, column_letters, legend_columns, legend_rows, make_canvas
+from .canvas import add_legend, legend_columns, legend_rows, make_canvas, panel_letters
 from .chart import Chart, file_name
-from .combinations import REFLECTIVE_AXES, first_ones, grouped, is_numeric, key_text, position, values_of, varying
+from .combinations import REFLECTIVE_AXES, first_ones, grouped, is_numeric, position, values_of, varying
 from .facts_text import facts_text
-from .look import INK, plain, shortened
+from .look import FAINT, INK, plain, shortened
 from .numeric_axis import label_of, show_values
+from .setting_name import heading
 from .summaries import PASSES, Summary
 from .sweep import Axis, Sweep
 
 MOST_PANELS = 6
 LEAST_FOR_AREA = 4
+TICK_LETTERS = 20
 
 # Passes of the paper in colours, transfers between the processors in greys.
 STYLES = {
@@ -44,19 +46,19 @@ def passes_chart(sweep: Sweep, summaries: Sequence[Summary], axis: Axis) -> Opti
     labels = [names[name] for name in used] + ["whole frame"]
     columns = legend_columns(labels)
     facts = facts_text(sweep, with_truth=False)
-    longest = max(len(value) for value in values_of(axis, shown))
+    texts = [shortened(value, TICK_LETTERS) for value in values_of(axis, shown)]
+    slanted = not area and sum(map(len, texts)) + 2 * len(texts) > panel_letters(len(groups))
     canvas = make_canvas(
         f"Time of each pass over {axis.name}", facts,
-        headings=[shortened(key_text(others, key), 48 if len(groups) > 1 else 90) for key in groups],
-        panel_height=3.4 if len(groups) == 1 else 1.9, below=0.5 if area else 0.5 + min(longest, 20) * 0.035,
+        headings=[heading(others, key, panel_letters(len(groups))) for key in groups],
+        panel_height=3.4 if len(groups) == 1 else 1.9, below=0.5 + slanted * max(map(len, texts)) * 0.035,
         legend_rows=legend_rows(len(labels), columns))
-    letters = column_letters(canvas)
     for axes, group in zip(canvas.panels, groups.values()):
         if area:
             _areas(axes, axis, sorted(group, key=lambda summary: position(axis, summary)), used)
             show_values(axes, [position(axis, summary) for summary in shown])
         else:
-            _bars(axes, axis, group, used, values_of(axis, summaries), letters)
+            _bars(axes, axis, group, used, values_of(axis, shown), slanted)
         axes.set_xlabel(plain(label_of(axis)))
     highest = max(max(summary.wall.high, sum(summary.passes.values())) for summary in shown)
     for place, axes in enumerate(canvas.panels):
@@ -96,7 +98,8 @@ def _areas(axes: Axes, axis: Axis, group: Sequence[Summary], used: Sequence[str]
     axes.margins(x=0.02)
 
 
-def _bars(axes: Axes, axis: Axis, group: Sequence[Summary], used: Sequence[str], values: Sequence[str], letters: int) -> None:
+def _bars(axes: Axes, axis: Axis, group: Sequence[Summary], used: Sequence[str], values: Sequence[str],
+          slanted: bool) -> None:
     by_value = {summary.setting.values[axis.name]: summary for summary in group}
     places = [place for place, value in enumerate(values) if value in by_value]
     members = [by_value[values[place]] for place in places]
@@ -104,14 +107,15 @@ def _bars(axes: Axes, axis: Axis, group: Sequence[Summary], used: Sequence[str],
     for name in used:
         times = [summary.passes[name] for summary in members]
         colour, hatch = STYLES[name]
-        axes.bar(places, times, 0.62, bottom=base, facecolor=colour, hatch=hatch, edgecolor="white", linewidth=0.6)
+        axes.bar(places, times, 0.62, bottom=base, facecolor=colour, hatch=hatch, edgecolor="white", linewidth=0)
         base = [low + time for low, time in zip(base, times)]
     axes.errorbar(places, [summary.wall.middle for summary in members], yerr=_spread(members), color=INK, marker="_",
                   markersize=22 if len(values) < 8 else 10, markeredgewidth=2, linestyle="", elinewidth=1, capsize=2)
-    texts = [plain(shortened(value, 20)) for value in values]
-    crowded = max(map(len, texts)) * len(texts) > letters - 2 * len(texts)
-    axes.set_xticks(range(len(values)), texts, rotation=30 if crowded else 0, ha="right" if crowded else "center",
-                    rotation_mode="anchor")
+    for place in set(range(len(values))) - set(places):
+        axes.annotate("no figures", xy=(place, 0), xytext=(0, 4), textcoords="offset points", rotation=90, ha="center", va="bottom",
+                      fontsize=8, color=FAINT)
+    axes.set_xticks(range(len(values)), [plain(shortened(value, TICK_LETTERS)) for value in values],
+                    rotation=30 if slanted else 0, ha="right" if slanted else "center", rotation_mode="anchor")
     axes.set_xlim(-0.6, len(values) - 0.4)
 
 

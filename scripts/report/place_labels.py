@@ -2,19 +2,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from matplotlib.axes import Axes
 
 from .look import FAINT, INK, plain
 
-Box = tuple[float, float, float, float]  # left, bottom, right, top, in points of the panel
+Box = tuple[float, float, float, float]  # left, bottom, right, top, in points of the sheet
+Spot = tuple[float, float]
 
 DIRECTIONS = 16
 LEADER_FROM_PT = 13
 POINT_PT = 4.5
 GAP_PT = 1.5
+
+# What a place costs, as if it were that many points farther away.
+OUTSIDE, COVERS, LEADER_COVERS, ON_LINE = 2000, 500, 150, 90
 
 
 @dataclass(frozen=True)
@@ -27,25 +31,28 @@ class Label:
     needed: bool
 
 
-def place_labels(axes: Axes, labels: Sequence[Label], taken: Sequence[Box], avoid: Sequence[tuple[float, float]]) -> int:
-    """Draws them, the first ones first; returns how many were left out. `taken`: boxes that are no place for a text;
-    `avoid`: points of a line, in the data's units, that texts had better not cover. The axes' limits must be final."""
+def place_labels(axes: Axes, labels: Sequence[Label], taken: Sequence[Box], avoid: Sequence[Sequence[Spot]]) -> int:
+    """Draws them, the first ones first; returns how many were left out. `taken`: boxes in the panel, in points,
+    that are no place for a text;
+    `avoid`: lines, as points in the data's units, that texts had better not cover. The axes' limits must be final."""
     panel = axes.get_window_extent()
     transform = axes.transData.transform
     marks = [tuple(transform((label.x, label.y))) for label in labels]
-    line = [tuple(transform(point)) for point in avoid]
+    lines = [[tuple(transform(point)) for point in line] for line in avoid]
     boxes = [(x - POINT_PT, y - POINT_PT, x + POINT_PT, y + POINT_PT) for x, y in marks]
     boxes += [(left + panel.x0, bottom + panel.y0, right + panel.x0, top + panel.y0) for left, bottom, right, top in taken]
     bounds = (panel.x0, panel.y0, panel.x1, panel.y1)
+    segments = [segment for line in lines for segment in zip(line, line[1:])]
     left_out = 0
     for label, mark in zip(labels, marks):
         width, height = _size(axes, label)
-        best = min(_candidates(mark, width, height, label.needed),
-                   key=lambda place: _cost(place, mark, bounds, boxes, line))
-        if not label.needed and _cost(best, mark, bounds, boxes, line) > 100:
+        cost, best = min((_cost(place, mark, bounds, boxes, segments), place)
+                         for place in _candidates(mark, width, height, label.needed))
+        if not label.needed and cost >= COVERS:
             left_out += 1
             continue
         boxes.append(best)
+        segments.append((mark, _nearest(best, mark)))
         _draw(axes, label, mark, best)
     return left_out
 
@@ -57,8 +64,8 @@ def _size(axes: Axes, label: Label) -> tuple[float, float]:
     return extent.width, extent.height
 
 
-def _candidates(mark: tuple[float, float], width: float, height: float, far: bool):
-    for distance in (7, 10, 16, 24, 34, 46, 60, 80, 105) if far else (6, 8, 11):
+def _candidates(mark: Spot, width: float, height: float, far: bool) -> Iterator[Box]:
+    for distance in (7, 10, 16, 24, 34, 46, 60, 80, 105, 140, 180) if far else (6, 8, 11):
         for step in range(DIRECTIONS):
             angle = 2 * math.pi * (step + 1) / DIRECTIONS
             x, y = mark[0] + distance * math.cos(angle), mark[1] + distance * math.sin(angle)
@@ -67,30 +74,29 @@ def _candidates(mark: tuple[float, float], width: float, height: float, far: boo
             yield left, bottom, left + width, bottom + height
 
 
-def _cost(place: Box, mark: tuple[float, float], bounds: Box, boxes: Sequence[Box], line: Sequence[tuple[float, float]]) -> float:
+def _cost(place: Box, mark: Spot, bounds: Box, boxes: Sequence[Box], segments: Sequence[tuple[Spot, Spot]]) -> float:
     left, bottom, right, top = place
     nearest = _nearest(place, mark)
-    cost = math.dist(nearest, mark)
-    outside = max(bounds[0] - left, bounds[1] - bottom, right - bounds[2], top - bounds[3])
-    if outside > 0:
-        cost += 1000 + outside
+    distance = math.dist(nearest, mark)
+    cost = distance
+    if left < bounds[0] or bottom < bounds[1] or right > bounds[2] or top > bounds[3]:
+        cost += OUTSIDE
     wide = (left - GAP_PT, bottom - GAP_PT, right + GAP_PT, top + GAP_PT)
-    cost += sum(500 for box in boxes if _overlap(wide, box))
-    if math.dist(nearest, mark) > LEADER_FROM_PT:
-        cost += sum(60 for box in boxes if _crosses(mark, nearest, box))
-    cost += 25 * any(_crosses(a, b, place) for a, b in zip(line, line[1:]))
-    return cost
+    cost += COVERS * sum(_overlap(wide, box) for box in boxes)
+    if distance > LEADER_FROM_PT:
+        cost += LEADER_COVERS * sum(_crosses(mark, nearest, box) for box in boxes)
+    return cost + ON_LINE * sum(_crosses(a, b, place) for a, b in segments)
 
 
 def _overlap(a: Box, b: Box) -> bool:
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
-def _nearest(box: Box, point: tuple[float, float]) -> tuple[float, float]:
+def _nearest(box: Box, point: Spot) -> Spot:
     return min(max(point[0], box[0]), box[2]), min(max(point[1], box[1]), box[3])
 
 
-def _crosses(start: tuple[float, float], end: tuple[float, float], box: Box) -> bool:
+def _crosses(start: Spot, end: Spot, box: Box) -> bool:
     """Whether the segment meets the box; one that starts inside of it is the point's own and does not count."""
     if box[0] <= start[0] <= box[2] and box[1] <= start[1] <= box[3]:
         return False
@@ -106,7 +112,7 @@ def _crosses(start: tuple[float, float], end: tuple[float, float], box: Box) -> 
     return low <= high
 
 
-def _draw(axes: Axes, label: Label, mark: tuple[float, float], place: Box) -> None:
+def _draw(axes: Axes, label: Label, mark: Spot, place: Box) -> None:
     nearest = _nearest(place, mark)
     if math.dist(nearest, mark) > LEADER_FROM_PT:
         axes.annotate("", xy=(label.x, label.y), xytext=(nearest[0] - mark[0], nearest[1] - mark[1]),
@@ -114,4 +120,5 @@ def _draw(axes: Axes, label: Label, mark: tuple[float, float], place: Box) -> No
                                                               "shrinkA": 0, "shrinkB": POINT_PT}, zorder=4)
     axes.annotate(plain(label.text), xy=(label.x, label.y), xytext=(place[0] - mark[0], place[1] - mark[1]),
                   textcoords="offset points", fontsize=label.size_pt, color=INK if label.needed else FAINT,
-                  ha="left", va="bottom", zorder=5)
+                  ha="left", va="bottom", zorder=5,
+                  bbox={"facecolor": "white", "alpha": 0.75, "edgecolor": "none", "pad": 0.5} if label.needed else None)

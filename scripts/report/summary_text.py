@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from .combinations import Key, grouped, key_text, varying
 from .facts_text import counted
 from .number_text import error_text, ms_text
-from .pareto_front import label_without, pareto_front, truth_groups
+from .pareto_front import pareto_front, truth_groups
+from .setting_name import label_without
 from .summaries import Summary
 from .sweep import Axis, Sweep
 
