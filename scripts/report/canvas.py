@@ -11,15 +11,15 @@ from matplotlib.figure import Figure
 
 from .look import FAINT, plain
 
-WIDTH = 7.2
+WIDTH = 6.4
 LEFT, RIGHT = 0.78, 0.16
 TITLE = 0.36
 LEGEND_ROW = 0.17
 PANEL_TITLE = 0.24
 ROW_GAP = 0.16
-COLUMN_GAP = 0.3
+COLUMN_GAP = 0.4
 FACTS_LINE = 0.145
-FACTS_CHARACTERS = 128
+FACTS_CHARACTERS = 112
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import Optional
 
 from matplotlib.figure import Figure
 
-PNG_DPI = 160
+PNG_DPI = 180
 FONTS = "'DejaVu Sans', Verdana, 'Segoe UI', Roboto, Helvetica, Arial, sans-serif"
 
 

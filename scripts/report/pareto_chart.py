@@ -48,8 +48,10 @@ def pareto_chart(sweep: Sweep, summaries: Sequence[Summary]) -> Optional[Chart]:
         if place % 2 == 0:
             axes.set_ylabel("RMSE of display values, 0 to 1")
         axes.set_xlabel("ms a frame")
-    add_legend(canvas, [Line2D([], [], linestyle="", **ON_FRONT), Line2D([], [], **STEP), Line2D([], [], linestyle="", **OFF_FRONT)],
-               ["on the Pareto front", "the front", "beaten; its number is in the table"], 3)
+    handles = [Line2D([], [], linestyle="", **ON_FRONT), Line2D([], [], **STEP), Line2D([], [], linestyle="", **OFF_FRONT)]
+    texts = ["on the Pareto front", "the front", "beaten; the table tells its number"]
+    kinds = 3 if any(len(pareto_front(group)) < len(group) for group in groups.values()) else 2
+    add_legend(canvas, handles[:kinds], texts[:kinds], kinds)
     if left_out:
         notes.append(f"{left_out} numbers found no room; the points' tooltips have them.")
     unsound = [str(summary.setting.number) for summary in summaries if summary.accuracy and not summary.accuracy.sound]

@@ -90,7 +90,6 @@ def _areas(axes: Axes, axis: Axis, group: Sequence[Summary], used: Sequence[str]
         top = [low + summary.passes[name] for low, summary in zip(base, group)]
         colour, hatch = STYLES[name]
         axes.fill_between(places, base, top, facecolor=colour, hatch=hatch, edgecolor="white", linewidth=0)
-        axes.plot(places, top, color="white", linewidth=0.6)
         base = top
     axes.vlines(places, 0, base, color="white", linewidth=0.6, alpha=0.8)
     axes.errorbar(places, [summary.wall.middle for summary in group], yerr=_spread(group), color=INK, marker="o", markersize=4,

@@ -6,6 +6,8 @@ import json
 import math
 import re
 import shlex
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Optional
 
@@ -13,7 +15,24 @@ from .report_error import ReportError
 from .sweep import ACCURACY, COUNTS, TIMES, Axis, Setting, Sweep, Truth
 
 FACTS = ("version", "commit", "compiler", "scene", "date", "processor", "threads", "rounds", "frames", "preset")
+Row = dict[str, str]  # of sweep.csv
 NEEDED_COLUMNS = ("setting", "round", "frame", "wall_ms", "error")
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What sweep.csv holds, by the settings' numbers: known figures of each frame, texts of columns, reasons of failures."""
+    rows: dict[int, list[dict[str, float]]] = field(default_factory=dict)
+    texts: dict[int, dict[str, str]] = field(default_factory=dict)
+    errors: dict[int, list[str]] = field(default_factory=dict)
+
+    def add(self, row: Row, columns: Iterable[str], where: str) -> None:
+        number = int(_figure(row["setting"], "setting", where) or 0)
+        self.texts.setdefault(number, {name: _text(row[name]) for name in columns if name in row})
+        if row["error"]:
+            self.errors.setdefault(number, []).append(_text(row["error"]))
+        else:
+            self.rows.setdefault(number, []).append(_figures(row, where))
 
 
 def read_sweep(folder: Path) -> Sweep:
@@ -25,8 +44,8 @@ def read_sweep(folder: Path) -> Sweep:
     try:
         axes = tuple(_axis(axis) for axis in data["axes"])
         truth = data.get("truth") or {}
-        rows, texts, errors = _read_csv(folder / "sweep.csv", axes)
-        settings = tuple(_setting(entry, axes, rows, texts, errors) for entry in data["settings"])
+        measured = _read_csv(folder / "sweep.csv", axes)
+        settings = tuple(_setting(entry, axes, measured) for entry in data["settings"])
         command_line = shlex.join(_text(word) for word in data.get("command_line") or [])
         sweep = Sweep(
             folder=folder,
@@ -39,7 +58,7 @@ def read_sweep(folder: Path) -> Sweep:
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise ReportError(f"{path} is not what `hybridrt sweep` writes ({type(error).__name__}: {_text(error)}); "
                           "run the sweep again") from None
-    _check(sweep, rows, errors)
+    _check(sweep, measured)
     return sweep
 
 
@@ -55,12 +74,9 @@ def _read_json(path: Path) -> dict[str, Any]:
     return data
 
 
-def _read_csv(path: Path, axes: tuple[Axis, ...]):
-    """Per setting: the figures of its frames, its texts (axes' columns and shadows), its errors."""
-    rows: dict[int, list[dict[str, float]]] = {}
-    texts: dict[int, dict[str, str]] = {}
-    errors: dict[int, list[str]] = {}
-    wanted = {axis.column for axis in axes} | {"shadows"}
+def _read_csv(path: Path, axes: Iterable[Axis]) -> Measured:
+    measured = Measured()
+    columns = sorted({axis.column for axis in axes} | {"shadows"})
     try:
         with open(path, encoding="utf-8-sig", newline="") as file:
             reader = csv.DictReader(file)
@@ -68,24 +84,18 @@ def _read_csv(path: Path, axes: tuple[Axis, ...]):
             if missing:
                 raise ReportError(f"{path} has no column {missing[0]}; run the sweep again")
             for row in reader:
-                if None in row or None in row.values():
-                    raise ReportError(f"{path}, line {reader.line_num}: not as many cells as the header has; "
-                                      "run the sweep again")
                 where = f"{path}, line {reader.line_num}"
-                number = int(_figure(row["setting"], "setting", where) or 0)
-                texts.setdefault(number, {name: _text(row[name]) for name in wanted if name in row})
-                if row["error"]:
-                    errors.setdefault(number, []).append(_text(row["error"]))
-                else:
-                    rows.setdefault(number, []).append(_figures(row, where))
+                if None in row or None in row.values():
+                    raise ReportError(f"{where}: not as many cells as the header has; run the sweep again")
+                measured.add(row, columns, where)
     except OSError as error:
         raise ReportError(f"{path} cannot be read: {error.strerror}; run `hybridrt sweep` first") from None
     except (csv.Error, UnicodeDecodeError) as error:
         raise ReportError(f"{path} is not a CSV file in UTF-8: {error}; run the sweep again") from None
-    return rows, texts, errors
+    return measured
 
 
-def _figures(row: dict[str, str], where: str) -> dict[str, float]:
+def _figures(row: Row, where: str) -> dict[str, float]:
     figures = {}
     for name in TIMES + COUNTS + ACCURACY:
         value = _figure(row.get(name, ""), name, where)
@@ -114,25 +124,25 @@ def _axis(data: dict[str, Any]) -> Axis:
                 bool(data.get("changes_truth")))
 
 
-def _setting(data: dict[str, Any], axes: tuple[Axis, ...], rows, texts, errors) -> Setting:
+def _setting(data: dict[str, Any], axes: Iterable[Axis], measured: Measured) -> Setting:
     number = int(data["number"])
-    said = texts.get(number, {})
-    failed = list(dict.fromkeys(errors.get(number, [])))
-    if number not in rows and not failed:
+    texts = measured.texts.get(number, {})
+    failed = list(dict.fromkeys(measured.errors.get(number, [])))
+    if number not in measured.rows and not failed:
         failed = ["it was not measured; the sweep may have been stopped"]
     return Setting(
         number=number, label=_text(data.get("label")) or f"setting {number}",
-        values={axis.name: said.get(axis.column, "") for axis in axes}, shadows=said.get("shadows", ""),
-        rows=() if failed else tuple(rows[number]), errors=tuple(failed),
+        values={axis.name: texts.get(axis.column, "") for axis in axes}, shadows=texts.get("shadows", ""),
+        rows=() if failed else tuple(measured.rows[number]), errors=tuple(failed),
         picture=data.get("picture"), difference=data.get("difference"), truth=data.get("truth"),
         amplification=float(data.get("amplification") or 1))
 
 
-def _check(sweep: Sweep, rows, errors) -> None:
+def _check(sweep: Sweep, measured: Measured) -> None:
     known = [setting.number for setting in sweep.settings]
     if len(set(known)) < len(known):
         raise ReportError(f"{sweep.folder / 'sweep.json'} holds a setting's number twice; run the sweep again")
-    strangers = sorted((set(rows) | set(errors)) - set(known))
+    strangers = sorted(measured.texts.keys() - set(known))
     if strangers:
         raise ReportError(f"{sweep.folder / 'sweep.csv'} has setting {strangers[0]}, sweep.json has not: the files are not "
                           "of one sweep; run it again")

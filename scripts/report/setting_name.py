@@ -12,14 +12,6 @@ from .sweep import Axis
 SAYS_NOTHING = frozenset(("on", "off", "none", "auto", "yes", "no", "true", "false", "default", ""))
 
 
-def label_without(summary: Summary, axes: Sequence[Axis]) -> str:
-    """A setting's label without the values of `axes`, which a heading names."""
-    label = summary.setting.label
-    for axis in axes:
-        label = _without_pair(label, axis.name, summary.setting.values[axis.name])
-    return label or summary.setting.label
-
-
 def short_name(summary: Summary, axes: Sequence[Axis]) -> str:
     """The values of `axes`, with an axis' name only where its value alone would not say what it is. A label that is more than
     the axes' names and values stays as it is."""

@@ -7,7 +7,7 @@ from .combinations import Key, grouped, key_text, varying
 from .facts_text import counted
 from .number_text import error_text, ms_text
 from .pareto_front import pareto_front, truth_groups
-from .setting_name import label_without
+from .setting_name import short_name
 from .summaries import Summary
 from .sweep import Axis, Sweep
 
@@ -25,7 +25,8 @@ def summary_sentences(sweep: Sweep, summaries: Sequence[Summary]) -> list[str]:
         return [said + " Nothing was measured."]
     scene_axes = varying([axis for axis in sweep.axes if axis.changes_truth], summaries)
     groups = grouped(summaries, scene_axes)
-    lines = [f"{_heading(scene_axes, key)}{_findings(group, scene_axes)}" for key, group in list(groups.items())[:MOST_GROUPS]]
+    named = [axis for axis in varying(sweep.axes, summaries) if axis not in scene_axes]
+    lines = [f"{_heading(scene_axes, key)}{_findings(group, named)}" for key, group in list(groups.items())[:MOST_GROUPS]]
     if len(groups) > MOST_GROUPS:
         lines.append(f"The other {len(groups) - MOST_GROUPS} combinations are in the table.")
     return [said, *lines]
@@ -54,6 +55,7 @@ def _heading(axes: Sequence[Axis], key: Key) -> str:
 
 
 def _findings(group: Sequence[Summary], axes: Sequence[Axis]) -> str:
+    """`axes`: those whose values name a setting."""
     fastest = min(group, key=lambda summary: summary.wall.middle)
     said = [f"The fastest is {_name(fastest, axes)} with {ms_text(fastest.wall.middle)} ms a frame"
             + (f" and an RMSE of {error_text(fastest.accuracy)}." if fastest.accuracy else ".")]
@@ -77,4 +79,4 @@ def _findings(group: Sequence[Summary], axes: Sequence[Axis]) -> str:
 
 
 def _name(summary: Summary, axes: Sequence[Axis]) -> str:
-    return f"{summary.setting.number} ({label_without(summary, axes)})"
+    return f"{summary.setting.number} ({short_name(summary, axes)})"
