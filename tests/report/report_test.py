@@ -1,0 +1,467 @@
+#!/usr/bin/env python3
+"""Tests of scripts/report: figures against ones worked out by hand, and made-up sweeps through the real command."""
+from __future__ import annotations
+
+import csv
+import json
+import math
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+from html.parser import HTMLParser
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+REPORT = ROOT / "scripts" / "report"
+sys.path.insert(0, str(ROOT / "scripts"))
+sys.dont_write_bytecode = True
+
+from make_sweep import PRESETS, Sweep, make_sweep  # noqa: E402, beside this file
+from report.pareto_front import pareto_front, truth_groups  # noqa: E402
+from report.quartiles import Quartiles, quartiles, root_mean_square  # noqa: E402
+from report.read_sweep import read_sweep  # noqa: E402
+from report.report_error import ReportError  # noqa: E402
+from report.summaries import summarize  # noqa: E402
+
+try:
+    import matplotlib.figure  # noqa: F401
+    HAS_MATPLOTLIB = True
+except ImportError:
+    HAS_MATPLOTLIB = False
+needs_matplotlib = unittest.skipUnless(HAS_MATPLOTLIB, "this Python has no Matplotlib; install python3-matplotlib")
+
+SHADOWS = {"shadows": ["map", "exact", "rays"]}
+
+
+class ReportTestCase(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write(self, rows, axes=None, settings=None, **facts):
+        """A sweep of `rows`, each a dictionary; without axes the settings' numbers are the only axis."""
+        axes = axes or [{"name": "kind", "column": "kind", "values": [], "changes_truth": False}]
+        numbers = sorted({row["setting"] for row in rows})
+        settings = settings or [{"number": number, "label": f"kind={number}"} for number in numbers]
+        (self.folder / "sweep.json").write_text(json.dumps({"axes": axes, "settings": settings, **facts}))
+        rows = [{"round": 1, "frame": 1, "kind": row["setting"], "error": "", **row} for row in rows]
+        header = list(dict.fromkeys(["wall_ms", *(name for row in rows for name in row)]))
+        with open(self.folder / "sweep.csv", "w", newline="") as file:
+            writer = csv.DictWriter(file, header, restval="")
+            writer.writeheader()
+            writer.writerows(rows)
+        return self.folder
+
+    def summaries(self):
+        return summarize(read_sweep(self.folder))
+
+    def run_report(self, *arguments):
+        return subprocess.run([sys.executable, str(REPORT), *map(str, arguments)], capture_output=True, text=True,
+                              timeout=300, check=False)
+
+    def report(self):
+        """The names of the files written, and the page."""
+        done = self.run_report(self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        names = [Path(line).name for line in done.stdout.splitlines()]
+        return names, (self.folder / "report.html").read_text(encoding="utf-8")
+
+
+class FiguresTest(ReportTestCase):
+    def test_quartiles(self):
+        self.assertEqual(quartiles([7.0]), Quartiles(7, 7, 7))
+        self.assertEqual(quartiles([4.0, 2.0]), Quartiles(2.5, 3, 3.5))
+        self.assertEqual(quartiles([5.0, 1.0, 2.0, 4.0, 3.0]), Quartiles(2, 3, 4))
+
+    def test_root_mean_square(self):
+        self.assertEqual(root_mean_square([3.0, 4.0, 0.0, 0.0]), 2.5)
+
+    def test_medians_over_rounds_and_frames(self):
+        self.write([{"setting": 1, "round": 1 + place // 2, "frame": 1 + place % 2, "wall_ms": wall, "trace_ms": 2 * wall,
+                     "pixels": 100, "pixels_reflective": 10 + place} for place, wall in enumerate([10, 30, 20, 90])])
+        summary, = self.summaries()
+        self.assertEqual(summary.wall, Quartiles(17.5, 25, 45))
+        self.assertEqual(summary.passes["trace_ms"], 50)
+        self.assertEqual(summary.passes["id_ms"], 0)
+        self.assertAlmostEqual(summary.reflective_percent, 11.5)
+        self.assertIsNone(summary.accuracy)
+
+    def test_accuracy_over_frames(self):
+        self.write([{"setting": 1, "frame": 1, "wall_ms": 1, "rmse": 0.03, "psnr_db": 30.46, "ssim": 0.9, "max_error": 0.5,
+                     "false_lit": 4},
+                    {"setting": 1, "frame": 2, "wall_ms": 1, "rmse": 0.04, "psnr_db": 27.96, "ssim": 0.8, "max_error": 0.7,
+                     "false_lit": 7}])
+        accuracy = self.summaries()[0].accuracy
+        self.assertAlmostEqual(accuracy.rmse, 0.025 * math.sqrt(2))
+        self.assertAlmostEqual(accuracy.psnr_db, 29.0309, 4)
+        self.assertAlmostEqual(accuracy.ssim, 0.85)
+        self.assertEqual((accuracy.max_error, accuracy.false_lit, accuracy.other_triangle), (0.7, 5.5, None))
+        self.assertFalse(accuracy.equal)
+
+    def test_equal_to_the_last_bit_is_every_frame_and_every_pixel(self):
+        equal = {"wall_ms": 1, "rmse": 0, "psnr_db": "inf", "pixels_different": 0, "non_finite": 0}
+        self.write([{"setting": 1, **equal}, {"setting": 2, **equal}, {"setting": 2, **equal, "frame": 2, "rmse": 1e-9},
+                    {"setting": 3, **equal, "pixels_different": 1}, {"setting": 4, **equal, "non_finite": 1},
+                    {"setting": 5, **equal, "rmse": "nan"}])
+        found = [(summary.accuracy.equal, summary.accuracy.sound) for summary in self.summaries()]
+        self.assertEqual(found, [(True, True), (False, True), (False, False), (False, False), (False, False)])
+
+    def test_pareto_front(self):
+        points = {1: (10, 0.5), 2: (20, 0.1), 3: (20, 0.2), 4: (15, 0.5), 5: (40, 0), 6: (50, 0), 7: (30, 0.05), 8: (20, 0.1)}
+        self.write([{"setting": number, "wall_ms": time, "rmse": error} for number, (time, error) in points.items()])
+        front = [summary.setting.number for summary in pareto_front(self.summaries())]
+        self.assertEqual(front, [1, 2, 8, 7, 5])
+
+    def test_a_front_for_each_truth(self):
+        axes = [{"name": "triangles", "column": "triangles", "values": ["10", "20"], "changes_truth": True},
+                {"name": "kind", "column": "kind", "values": ["1", "2"], "changes_truth": False}]
+        self.write([{"setting": 1, "triangles": 10, "wall_ms": 1, "rmse": 0.1}, {"setting": 2, "triangles": 10, "wall_ms": 2, "rmse": 0.2},
+                    {"setting": 3, "triangles": 20, "wall_ms": 9, "rmse": 0.3}], axes)
+        named, groups = truth_groups(read_sweep(self.folder).axes, self.summaries())
+        self.assertEqual([axis.name for axis in named], ["triangles"])
+        self.assertEqual({key: [summary.setting.number for summary in pareto_front(group)] for key, group in groups.items()},
+                         {("10",): [1], ("20",): [3]})
+
+
+class BadInputTest(ReportTestCase):
+    def refused(self, *words):
+        """The command's one line on standard error, with these words; exit code 3."""
+        done = self.run_report(self.folder)
+        self.assertEqual((done.returncode, done.stdout), (3, ""), done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertFalse((self.folder / "report.html").exists())
+
+    def test_no_folder(self):
+        self.folder = self.folder / "nowhere"
+        self.refused("nowhere", "not a folder")
+
+    def test_no_json(self):
+        self.refused("sweep.json", "run `hybridrt sweep` first")
+
+    def test_broken_json(self):
+        (self.folder / "sweep.json").write_text("{")
+        self.refused("sweep.json", "not JSON")
+
+    def test_json_of_something_else(self):
+        for text in ("[]", '{"axes": 3, "settings": []}', '{"axes": [], "settings": [{}]}', '{"settings": []}'):
+            with self.subTest(text):
+                self.write([{"setting": 1, "wall_ms": 1}])
+                (self.folder / "sweep.json").write_text(text)
+                self.refused("sweep.json", "run the sweep again")
+
+    def test_no_csv(self):
+        self.write([{"setting": 1, "wall_ms": 1}])
+        (self.folder / "sweep.csv").unlink()
+        self.refused("sweep.csv", "run `hybridrt sweep` first")
+
+    def test_csv_that_is_not_one(self):
+        for text, word in (("", "no column setting"), ("setting,round,frame,wall_ms\n", "no column error"),
+                           ("setting,round,frame,wall_ms,error\n1,1,1,abc,\n", "line 2: wall_ms is 'abc'"),
+                           ("setting,round,frame,wall_ms,error\n1,1,1,inf,\n", "line 2: wall_ms is 'inf'"),
+                           ("setting,round,frame,wall_ms,error\n1,1,1,,\n", "line 2: neither"),
+                           ("setting,round,frame,wall_ms,error\n1,1,1\n", "line 2: not as many cells"),
+                           ("setting,round,frame,wall_ms,error\n9,1,1,1,\n", "has setting 9")):
+            with self.subTest(text):
+                self.write([{"setting": 1, "wall_ms": 1}])
+                (self.folder / "sweep.csv").write_text(text)
+                self.refused("sweep.csv", word)
+
+    def test_csv_in_another_encoding(self):
+        self.write([{"setting": 1, "wall_ms": 1}])
+        (self.folder / "sweep.csv").write_bytes("setting,round,frame,wall_ms,error\n1,1,1,1,\xfc\n".encode("latin-1"))
+        self.refused("sweep.csv", "UTF-8")
+
+    def test_quoting(self):
+        self.write([{"setting": 1, "round": 1, "frame": "", "error": 'no "GL",\nat all'}, {"setting": 2, "wall_ms": 1}])
+        sweep = read_sweep(self.folder)
+        self.assertEqual(sweep.settings[0].errors, ('no "GL", at all',))
+
+    def test_a_setting_that_was_not_reached(self):
+        self.write([{"setting": 1, "wall_ms": 1}], settings=[{"number": 1, "label": "a"}, {"number": 2, "label": "b"}])
+        self.assertIn("not measured", read_sweep(self.folder).settings[1].errors[0])
+
+    def test_a_number_twice(self):
+        self.write([{"setting": 1, "wall_ms": 1}], settings=[{"number": 1, "label": "a"}, {"number": 1, "label": "b"}])
+        with self.assertRaisesRegex(ReportError, "twice"):
+            read_sweep(self.folder)
+
+    def test_no_matplotlib(self):
+        make_sweep(self.folder, Sweep(SHADOWS, pictures=False))
+        blocked = ("import runpy, sys; sys.modules['matplotlib'] = None; sys.argv = sys.argv[1:]; "
+                   "runpy.run_path(sys.argv[0], run_name='__main__')")
+        done = subprocess.run([sys.executable, "-c", blocked, str(REPORT), str(self.folder)], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stdout, len(done.stderr.splitlines())), (3, "", 1), done.stderr)
+        for word in ("python3-matplotlib", "pip install matplotlib", "sweep.csv"):
+            self.assertIn(word, done.stderr)
+
+
+class Page(HTMLParser):
+    """What a test wants of the page: the table's cells, addresses, ids, tags that are not closed."""
+    EMPTY = frozenset(("meta", "link", "img", "br", "hr"))
+
+    def __init__(self, text):
+        super().__init__()
+        self.rows, self.addresses, self.ids, self.open, self.tags, self.text = [], [], [], [], [], ""
+        self._cell = None
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append(tag)
+        if tag not in self.EMPTY:
+            self.open.append(tag)
+        for name, value in attributes:
+            if name in ("src", "href", "xlink:href", "srcset", "action", "data"):
+                self.addresses.append((tag, value))
+            if name == "id":
+                self.ids.append(value)
+        if tag == "tr":
+            self.rows.append([])
+        if tag in ("td", "th"):
+            self._cell = ""
+
+    def handle_startendtag(self, tag, attributes):
+        self.handle_starttag(tag, attributes)
+        if tag not in self.EMPTY:
+            self.handle_endtag(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1] == tag, f"</{tag}> closes {self.open[-1:]}"
+        self.open.pop()
+        if tag in ("td", "th"):
+            self.rows[-1].append(self._cell)
+            self._cell = None
+
+    def handle_data(self, data):
+        self.text += data
+        if self._cell is not None:
+            self._cell += data
+
+
+@needs_matplotlib
+class DrawnTest(ReportTestCase):
+    def test_charts_of_each_preset(self):
+        wanted = {
+            "pareto": ["pareto", "passes-method", "passes-shadows", "passes-shadow-map", "error-shadow-map"],
+            "paper": ["pareto", "passes-reflection-percent", "error-reflection-percent", "passes-shadows"],
+            "scaling": ["passes-threads", "scaling", "passes-method", "passes-accel"],
+            "growth": ["pareto", "passes-triangles", "growth", "error-triangles", "passes-shadows"]}
+        for preset, names in wanted.items():
+            with self.subTest(preset):
+                make_sweep(self.folder, PRESETS[preset])
+                files, page = self.report()
+                self.assertEqual(files, [f"{name}.{kind}" for name in names for kind in ("svg", "png")] + ["report.html"])
+                self.assertFalse(list(self.folder.glob(".*")))
+                for name in names:
+                    svg = (self.folder / f"{name}.svg").read_text(encoding="utf-8")
+                    ElementTree.fromstring(svg)
+                    self.assertIn("AMD EPYC", svg)
+                    self.assertIn("sans-serif", svg)
+                    self.assertEqual((self.folder / f"{name}.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+                    self.assertIn(f'href="{name}.svg"', page)
+
+    def test_same_input_same_bytes(self):
+        make_sweep(self.folder, PRESETS["pareto"])
+        names, _ = self.report()
+        first = {name: (self.folder / name).read_bytes() for name in names}
+        self.report()
+        self.assertEqual([name for name in names if (self.folder / name).read_bytes() != first[name]], [])
+
+    def test_the_page_needs_no_other_file(self):
+        make_sweep(self.folder, PRESETS["pareto"])
+        names, text = self.report()
+        page = Page(text)
+        self.assertEqual(page.open, [])
+        self.assertNotIn("script", page.tags)
+        for tag, address in page.addresses:
+            if address.startswith("#"):
+                self.assertIn(address[1:], page.ids, address)
+            elif tag == "a":
+                self.assertIn(address, [*names, "sweep.csv", "sweep.json"])
+            else:
+                self.assertTrue(address.startswith("data:"), address[:80])
+        self.assertEqual(re.findall(r"url\((?!#)|@import", text), [])
+        references = re.findall(r"url\(#([^)]*)\)", text)
+        self.assertTrue(references)
+        self.assertLessEqual(set(references), set(page.ids))
+        self.assertEqual(len(page.ids), len(set(page.ids)))
+
+    def test_the_table_tells_what_the_csv_holds(self):
+        make_sweep(self.folder, Sweep(SHADOWS, rounds=5, frames=1, pictures=False))
+        _, text = self.report()
+        header, *rows = Page(text).rows
+        with open(self.folder / "sweep.csv", newline="") as file:
+            measured = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 3)
+        for row in rows:
+            cells = dict(zip(header, row))
+            mine = [line for line in measured if line["setting"] == cells["no."]]
+            walls = sorted(float(line["wall_ms"]) for line in mine)
+            self.assertEqual(len(walls), 5)
+            self.assertEqual(cells["ms a frame"], f"{walls[2]:.1f}")
+            self.assertEqual(cells["quartiles"], f"{walls[1]:.1f}–{walls[3]:.1f}")
+            self.assertEqual(cells["first frame"], f"{statistics.median(float(line['first_frame_ms']) for line in mine):.0f}")
+            self.assertEqual(cells["build"], f"{float(mine[0]['accel_build_ms']):.0f}")
+            self.assertEqual(cells["RMSE"], f"{float(mine[0]['rmse']):.3g}")
+            wanted = "equal" if mine[0]["psnr_db"] == "inf" else f"{float(mine[0]['psnr_db']):.1f}"
+            self.assertEqual(cells["PSNR, dB"], wanted)
+            for heading, column in (("pixels different", "pixels_different"), ("falsely lit", "false_lit"),
+                                    ("falsely in shadow", "false_shadow"), ("other triangle", "other_triangle")):
+                self.assertEqual(cells[heading], mine[0][column])
+
+    def test_the_front_is_marked_in_words(self):
+        self.write([{"setting": 1, "wall_ms": 10, "rmse": 0.5}, {"setting": 2, "wall_ms": 20, "rmse": 0},
+                    {"setting": 3, "wall_ms": 30, "rmse": 0.1}])
+        _, text = self.report()
+        header, *rows = Page(text).rows
+        self.assertEqual([row[header.index("front")] for row in rows], ["on it", "on it", ""])
+        self.assertIn("The fastest is 1 ", text)
+        self.assertIn("Equal to the truth to the last bit is 2 ", text)
+
+    def test_equal_pictures_stand_in_the_band(self):
+        from report.error_axis import error_axis
+        self.write([{"setting": 1, "wall_ms": 10, "rmse": 0.5}, {"setting": 2, "wall_ms": 20, "rmse": 0}])
+        summaries = self.summaries()
+        axis = error_axis(summaries, 300)
+        self.assertTrue(axis.bottom < axis.y(summaries[1]) < axis.low < axis.y(summaries[0]) < axis.top)
+        self.assertEqual(axis.y(summaries[0]), 0.5)
+        without = error_axis(summaries[:1], 300)
+        self.assertEqual(without.bottom, without.low)
+        self.report()
+        self.assertIn("equal to the last bit", (self.folder / "pareto.svg").read_text())
+        self.write([{"setting": 1, "wall_ms": 10, "rmse": 0.5}])
+        self.report()
+        self.assertNotIn("equal to the last bit", (self.folder / "pareto.svg").read_text())
+
+    def test_all_equal(self):
+        self.write([{"setting": 1, "wall_ms": 10, "rmse": 0}, {"setting": 2, "wall_ms": 20, "rmse": 0}])
+        names, text = self.report()
+        self.assertIn("pareto.svg", names)
+        self.assertIn("The fastest of those that equal the truth to the last bit is 1 ", text)
+
+    def test_points_are_links_with_tooltips(self):
+        make_sweep(self.folder, PRESETS["pareto"])
+        _, text = self.report()
+        for number in [number for number in range(1, 37) if number != 5]:
+            self.assertRegex(text, rf'<a href="#setting-{number}"><title>{number}: [^<]*ms a frame, RMSE [^<]*</title>')
+        self.assertNotIn("<a ", (self.folder / "pareto.svg").read_text())
+
+    def test_failed_settings_are_named(self):
+        make_sweep(self.folder, Sweep(SHADOWS, failing={2: "no GL context: <EGL> & co"}))
+        _, text = self.report()
+        self.assertIn("of which 1 failed", text)
+        self.assertEqual(text.count("no GL context: &lt;EGL&gt; &amp; co"), 3)  # summary, table, pictures
+        self.assertNotIn("<EGL>", text)
+
+    def test_every_setting_failed(self):
+        make_sweep(self.folder, Sweep(SHADOWS, failing={1: "one", 2: "two", 3: "three"}))
+        names, text = self.report()
+        self.assertEqual(names, ["report.html"])
+        self.assertIn("Nothing was measured", text)
+        for reason in ("one", "two", "three"):
+            self.assertIn(f"failed: {reason}", text)
+
+    def test_markup_in_names_stays_text(self):
+        hostile = "<script>alert(1)</script>$x^2$ \"&'"
+        make_sweep(self.folder, Sweep({"shadows": ["map", hostile], "blur-kernel": ["3", "5", "7"]}, facts={
+            "scene": hostile, "processor": hostile, "gl_renderer": hostile, "command_line": ["hybridrt", hostile],
+            "truth": {"method": hostile, "samples": 4, "kind": "reference", "note": hostile}}))
+        _, text = self.report()
+        page = Page(text)
+        self.assertNotIn("script", page.tags)
+        self.assertNotIn("<script", text)
+        self.assertIn(hostile, page.text)
+        for path in self.folder.glob("*.svg"):
+            root = ElementTree.parse(path).getroot()
+            self.assertFalse([element for element in root.iter() if element.tag.endswith("script")])
+            self.assertIn("<script>", "".join(root.itertext()), path.name)
+
+    def test_control_characters_and_lone_surrogates(self):
+        self.write([{"setting": 1, "wall_ms": 1, "rmse": 0.1}], settings=[{"number": 1, "label": "a\x00b\ud800c"}])
+        _, text = self.report()
+        self.assertIn("a\ufffdb\ufffdc", text)
+
+    def test_missing_and_broken_pictures(self):
+        make_sweep(self.folder, Sweep(SHADOWS))
+        (self.folder / "pictures" / "0001.png").unlink()
+        (self.folder / "pictures" / "0002.difference.png").write_bytes(b"\x89PNG\r\n\x1a\nno")
+        path = self.folder / "sweep.json"
+        facts = json.loads(path.read_text())
+        facts["settings"][2].update(picture=None, truth="../../etc/passwd", difference=7)
+        path.write_text(json.dumps(facts))
+        _, text = self.report()
+        self.assertEqual(re.findall(r"<figcaption>([^<]*): no picture", text),
+                         ["the picture", "the difference, 8 times", "the picture", "the truth", "the difference, 8 times"])
+
+    def test_pictures_are_small_and_have_words(self):
+        from PIL import Image
+        make_sweep(self.folder, Sweep(SHADOWS))
+        Image.effect_noise((1600, 900), 60).save(self.folder / "pictures" / "0001.png")
+        _, text = self.report()
+        self.assertIn('width="640" height="360" alt="Picture of setting 1, shadows=map" src="data:image/jpeg;base64,', text)
+        self.assertIn('alt="Difference of setting 1 from the truth, amplified 8 times"', text)
+        self.assertEqual(text.count("<symbol"), 1)  # a truth that all share is there once
+        self.assertEqual(text.count('href="#truth-0"'), 3)
+
+    def test_without_accuracy(self):
+        make_sweep(self.folder, Sweep({"threads": ["1", "2"], "shadows": ["map", "exact"]}, accuracy=False, pictures=False))
+        names, text = self.report()
+        self.assertEqual([name for name in names if name.startswith(("pareto", "error"))], [])
+        self.assertIn("No accuracy was measured", text)
+        self.assertNotIn("RMSE</th>", text)
+
+    def test_one_setting_without_axes(self):
+        self.write([{"setting": 1, "wall_ms": 12.5}], axes=[{"name": "a", "column": "a", "values": [], "changes_truth": False}])
+        names, text = self.report()
+        self.assertEqual(names, ["report.html"])
+        self.assertIn("No axis has more than one measured value", text)
+
+    def test_busy_machine(self):
+        make_sweep(self.folder, Sweep(SHADOWS, pictures=False, facts={"busy": 0.3}))
+        self.assertIn("Others used 30 % of the machine", self.report()[1])
+        make_sweep(self.folder, Sweep(SHADOWS, pictures=False, facts={"busy": 0.1}))
+        self.assertNotIn("Others used", self.report()[1])
+
+    def test_pictures_that_are_no_numbers_are_not_compared(self):
+        self.write([{"setting": 1, "wall_ms": 10, "rmse": 0.5}, {"setting": 2, "wall_ms": 1, "rmse": 0, "non_finite": 3}])
+        _, text = self.report()
+        header, *rows = Page(text).rows
+        self.assertEqual([row[header.index("front")] for row in rows], ["on it", ""])
+        self.assertEqual(rows[1][header.index("not numbers")], "3")
+        self.assertIn("Left out, for pixels that are no numbers", text)
+
+    def test_aliasing_of_the_truth_is_told(self):
+        for samples, words in ((1, "so it has aliasing itself"), (64, "64 samples a pixel, so aliasing counts as an error")):
+            make_sweep(self.folder, Sweep(SHADOWS, pictures=False, facts={
+                "truth": {"method": "reference", "samples": samples, "kind": "reference", "note": ""}}))
+            self.assertIn(words, self.report()[1])
+
+    def test_passes_on_the_cpu_and_their_names(self):
+        make_sweep(self.folder, Sweep({"shadows": ["rays", "exact"]}, pictures=False, facts={"gl_renderer": None}))
+        self.report()
+        svg = (self.folder / "passes-shadows.svg").read_text()
+        self.assertIn("all passes on the CPU", svg)
+        self.assertIn("1 light buffer<", svg)
+        self.assertNotIn("shadow map", svg)
+
+    def test_combinations_left_out_are_told(self):
+        make_sweep(self.folder, Sweep({"shadows": ["map", "exact"], "blur-kernel": list("1234567")}, pictures=False))
+        self.assertIn("The first 6 of 7 combinations of the other axes are drawn", self.report()[1])
+
+    def test_a_folder_that_cannot_be_written(self):
+        make_sweep(self.folder, Sweep(SHADOWS, pictures=False))
+        (self.folder / "report.html").mkdir()
+        done = self.run_report(self.folder)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("report.html cannot be written", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
