@@ -16,6 +16,7 @@ LEFT, RIGHT = 0.78, 0.16
 TITLE = 0.36
 LEGEND_ROW = 0.17
 PANEL_TITLE = 0.24
+HEADING_LINE = 0.15
 ROW_GAP = 0.16
 COLUMN_GAP = 0.4
 FACTS_LINE = 0.145
@@ -36,7 +37,9 @@ def make_canvas(title: str, facts: str, *, headings: Sequence[str], panel_height
     count = len(headings)
     columns = min(columns, count)
     rows = -(-count // columns)
-    heading = PANEL_TITLE if any(headings) else 0.06
+    wrapped = [textwrap.wrap(text, panel_letters(count), break_on_hyphens=False) for text in headings]
+    most = max(map(len, wrapped))
+    heading = PANEL_TITLE + (most - 1) * HEADING_LINE if most else 0.06
     lines = textwrap.wrap(facts, FACTS_CHARACTERS) or [""]
     facts_height = len(lines) * FACTS_LINE + 0.12
     top = TITLE + legend_rows * LEGEND_ROW
@@ -50,12 +53,12 @@ def make_canvas(title: str, facts: str, *, headings: Sequence[str], panel_height
 
     width = (WIDTH - LEFT - RIGHT - (columns - 1) * COLUMN_GAP) / columns
     panels: list[Axes] = []
-    for place, text in enumerate(headings):
+    for place, text in enumerate(wrapped):
         row, column = divmod(place, columns)
         y = height - top - heading - panel_height - row * (heading + panel_height + below + ROW_GAP)
         axes = figure.add_axes((
             (LEFT + column * (width + COLUMN_GAP)) / WIDTH, y / height, width / WIDTH, panel_height / height))
-        axes.set_title(plain(text), fontsize=9, pad=5)
+        axes.set_title(plain("\n".join(text)), fontsize=9, pad=5)
         if column:
             axes.tick_params(labelleft=False)
         panels.append(axes)

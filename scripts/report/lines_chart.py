@@ -8,12 +8,13 @@ from matplotlib.lines import Line2D
 
 from .canvas import Canvas, add_legend, legend_columns, legend_rows, make_canvas
 from .combinations import Key, first_ones, grouped, position, varying
-from .look import MOST_LINES, line_style
+from .look import MOST_LINES, line_style, shortened
 from .setting_name import heading
 from .summaries import Summary
 from .sweep import Axis
 
 LEGEND_LETTERS = 40
+MOST_LETTERS = 72
 
 
 def lines_over(axis: Axis, axes: Sequence[Axis], summaries: Sequence[Summary]) -> tuple[dict[str, list[Summary]], list[str]]:
@@ -30,7 +31,7 @@ def lines_over(axis: Axis, axes: Sequence[Axis], summaries: Sequence[Summary]) -
 def legend_of(names: Sequence[str], extra: Sequence[tuple[Line2D, str]] = ()) -> tuple[list[Line2D], list[str], int]:
     """Handles, labels and columns; a single line needs no legend."""
     handles = [Line2D([], [], **line_style(place)) for place, name in enumerate(names) if name]
-    labels = [name for name in names if name]
+    labels = [shortened(name, MOST_LETTERS) for name in names if name]
     handles += [handle for handle, _ in extra]
     labels += [text for _, text in extra]
     return handles, labels, legend_columns(labels)

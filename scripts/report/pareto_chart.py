@@ -53,7 +53,7 @@ def pareto_chart(sweep: Sweep, summaries: Sequence[Summary]) -> Optional[Chart]:
     kinds = 3 if any(len(pareto_front(group)) < len(group) for group in groups.values()) else 2
     add_legend(canvas, handles[:kinds], texts[:kinds], kinds)
     if left_out:
-        notes.append(f"{left_out} numbers found no room; the points' tooltips have them.")
+        notes.append(f"{left_out} names or numbers found no room; the points' tooltips and the table have them.")
     unsound = [str(summary.setting.number) for summary in summaries if summary.accuracy and not summary.accuracy.sound]
     if unsound:
         notes.append(f"Left out, for pixels that are no numbers or figures that contradict each other: setting {', '.join(unsound)}.")
@@ -71,7 +71,7 @@ def _panel(axes: Axes, group: Sequence[Summary], named: Sequence[Axis], scale: E
     front = pareto_front(group)
     draw_error_axis(axes, scale)
     low, high = min(summary.wall.low for summary in group), max(summary.wall.high for summary in group)
-    low, high = low / (high / low * 1.5) ** 0.08, high * (high / low * 1.5) ** 0.12
+    low, high = low / (high / low * 1.5) ** 0.2, high * (high / low * 1.5) ** 0.12
     axes.set_xscale("log")
     axes.set_xlim(low, high)
     log_ticks(axes, "x", low, high)
@@ -90,8 +90,9 @@ def _panel(axes: Axes, group: Sequence[Summary], named: Sequence[Axis], scale: E
         axes.plot([summary.wall.middle], [scale.y(summary)], linestyle="", gid=_gid(summary), zorder=3, **style)
 
     size, width = (7.5, 26) if small else (8.5, 36)
-    labels = [Label(summary.wall.middle, scale.y(summary), _front_text(summary, named, width), size, True) for summary in front]
-    labels += [Label(summary.wall.middle, scale.y(summary), str(summary.setting.number), 7, False)
+    labels = [Label(summary.wall.middle, scale.y(summary), _front_text(summary, named, width), size, str(summary.setting.number))
+              for summary in front]
+    labels += [Label(summary.wall.middle, scale.y(summary), str(summary.setting.number), 7)
                for summary in group if summary.setting.number not in on_front]
     return place_labels(axes, labels, [EQUAL_TEXT_BOX] if scale.bottom < scale.low else [], [corners, *bars])
 

@@ -15,57 +15,79 @@ Spot = tuple[float, float]
 DIRECTIONS = 16
 LEADER_FROM_PT = 13
 POINT_PT = 4.5
-GAP_PT = 1.5
+GAP_PT = 2.5
+DISTANCES = (7, 10, 16, 24, 34, 46, 60, 80, 105, 140, 180, 230)
+NEAR_DISTANCES = (6, 8, 11)
 
-# What a place costs, as if it were that many points farther away.
-OUTSIDE, COVERS, LEADER_COVERS, ON_LINE = 2000, 500, 150, 90
+# What a place costs, as if it were that many points farther away. What costs COVERS is no place.
+COVERS, LEADER_COVERS, ON_LINE = 500, 100, 60
 
 
 @dataclass(frozen=True)
 class Label:
-    """`text` at the data's `x`, `y`. One that is not `needed` is left out where there is no room."""
+    """`text` at the data's `x`, `y`; where it finds no room, `short` (if there is one), else none."""
     x: float
     y: float
     text: str
     size_pt: float
-    needed: bool
+    short: str = ""
 
 
 def place_labels(axes: Axes, labels: Sequence[Label], taken: Sequence[Box], avoid: Sequence[Sequence[Spot]]) -> int:
-    """Draws them, the first ones first; returns how many were left out. `taken`: boxes in the panel, in points,
-    that are no place for a text;
-    `avoid`: lines, as points in the data's units, that texts had better not cover. The axes' limits must be final."""
+    """Draws them, the first ones first; returns how many found no room for their text. `taken`: boxes in the panel, in points,
+    that are no place for a text; `avoid`: lines, as points in the data's units, that texts had better not cover. The axes'
+    limits must be final."""
     panel = axes.get_window_extent()
     transform = axes.transData.transform
     marks = [tuple(transform((label.x, label.y))) for label in labels]
     lines = [[tuple(transform(point)) for point in line] for line in avoid]
-    boxes = [(x - POINT_PT, y - POINT_PT, x + POINT_PT, y + POINT_PT) for x, y in marks]
-    boxes += [(left + panel.x0, bottom + panel.y0, right + panel.x0, top + panel.y0) for left, bottom, right, top in taken]
-    bounds = (panel.x0, panel.y0, panel.x1, panel.y1)
-    segments = [segment for line in lines for segment in zip(line, line[1:])]
-    left_out = 0
+    surroundings = Surroundings(
+        bounds=(panel.x0, panel.y0, panel.x1, panel.y1),
+        boxes=[(x - POINT_PT, y - POINT_PT, x + POINT_PT, y + POINT_PT) for x, y in marks]
+        + [(left + panel.x0, bottom + panel.y0, right + panel.x0, top + panel.y0) for left, bottom, right, top in taken],
+        segments=[segment for line in lines for segment in zip(line, line[1:])])
+    without_room = 0
     for label, mark in zip(labels, marks):
-        width, height = _size(axes, label)
-        cost, best = min((_cost(place, mark, bounds, boxes, segments), place)
-                         for place in _candidates(mark, width, height, label.needed))
-        if not label.needed and cost >= COVERS:
-            left_out += 1
-            continue
-        boxes.append(best)
-        segments.append((mark, _nearest(best, mark)))
-        _draw(axes, label, mark, best)
-    return left_out
+        drawn = _place(axes, label, label.text, mark, surroundings)
+        without_room += not drawn
+        if not drawn and label.short:
+            _place(axes, label, label.short, mark, surroundings)
+    return without_room
 
 
-def _size(axes: Axes, label: Label) -> tuple[float, float]:
-    text = axes.text(0, 0, plain(label.text), fontsize=label.size_pt)
+@dataclass(frozen=True)
+class Surroundings:
+    """What a text must stay within, must not cover, and had better not cross; in points of the sheet."""
+    bounds: Box
+    boxes: list[Box]
+    segments: list[tuple[Spot, Spot]]
+
+
+def _place(axes: Axes, label: Label, text: str, mark: Spot, around: Surroundings) -> bool:
+    """Draws `text` and adds it to what is around; does nothing if there is no room."""
+    width, height = _size(axes, text, label.size_pt)
+    best, cost = None, float(COVERS)
+    for place in _candidates(mark, width, height, DISTANCES if label.short else NEAR_DISTANCES):
+        here = _cost(place, mark, around, cost)
+        if here < cost:
+            best, cost = place, here
+    if best is None:
+        return False
+    around.boxes.append(best)
+    around.segments.append((mark, _nearest(best, mark)))
+    _draw(axes, label, text, mark, best)
+    return True
+
+
+def _size(axes: Axes, content: str, size_pt: float) -> tuple[float, float]:
+    text = axes.text(0, 0, plain(content), fontsize=size_pt)
     extent = text.get_window_extent()
     text.remove()
     return extent.width, extent.height
 
 
-def _candidates(mark: Spot, width: float, height: float, far: bool) -> Iterator[Box]:
-    for distance in (7, 10, 16, 24, 34, 46, 60, 80, 105, 140, 180) if far else (6, 8, 11):
+def _candidates(mark: Spot, width: float, height: float, distances: Sequence[float]) -> Iterator[Box]:
+    for distance in distances:
         for step in range(DIRECTIONS):
             angle = 2 * math.pi * (step + 1) / DIRECTIONS
             x, y = mark[0] + distance * math.cos(angle), mark[1] + distance * math.sin(angle)
@@ -74,18 +96,19 @@ def _candidates(mark: Spot, width: float, height: float, far: bool) -> Iterator[
             yield left, bottom, left + width, bottom + height
 
 
-def _cost(place: Box, mark: Spot, bounds: Box, boxes: Sequence[Box], segments: Sequence[tuple[Spot, Spot]]) -> float:
+def _cost(place: Box, mark: Spot, around: Surroundings, limit: float) -> float:
+    """`limit` or more as soon as it cannot be less."""
     left, bottom, right, top = place
+    if left < around.bounds[0] or bottom < around.bounds[1] or right > around.bounds[2] or top > around.bounds[3]:
+        return limit
     nearest = _nearest(place, mark)
-    distance = math.dist(nearest, mark)
-    cost = distance
-    if left < bounds[0] or bottom < bounds[1] or right > bounds[2] or top > bounds[3]:
-        cost += OUTSIDE
+    cost = math.dist(nearest, mark)
     wide = (left - GAP_PT, bottom - GAP_PT, right + GAP_PT, top + GAP_PT)
-    cost += COVERS * sum(_overlap(wide, box) for box in boxes)
-    if distance > LEADER_FROM_PT:
-        cost += LEADER_COVERS * sum(_crosses(mark, nearest, box) for box in boxes)
-    return cost + ON_LINE * sum(_crosses(a, b, place) for a, b in segments)
+    if cost >= limit or any(_overlap(wide, box) for box in around.boxes):
+        return limit
+    if cost > LEADER_FROM_PT:
+        cost += LEADER_COVERS * sum(_crosses(mark, nearest, box) for box in around.boxes)
+    return cost + ON_LINE * sum(_crosses(a, b, place) for a, b in around.segments)
 
 
 def _overlap(a: Box, b: Box) -> bool:
@@ -112,13 +135,13 @@ def _crosses(start: Spot, end: Spot, box: Box) -> bool:
     return low <= high
 
 
-def _draw(axes: Axes, label: Label, mark: Spot, place: Box) -> None:
+def _draw(axes: Axes, label: Label, text: str, mark: Spot, place: Box) -> None:
     nearest = _nearest(place, mark)
     if math.dist(nearest, mark) > LEADER_FROM_PT:
         axes.annotate("", xy=(label.x, label.y), xytext=(nearest[0] - mark[0], nearest[1] - mark[1]),
                       textcoords="offset points", arrowprops={"arrowstyle": "-", "color": FAINT, "linewidth": 0.6,
                                                               "shrinkA": 0, "shrinkB": POINT_PT}, zorder=4)
-    axes.annotate(plain(label.text), xy=(label.x, label.y), xytext=(place[0] - mark[0], place[1] - mark[1]),
-                  textcoords="offset points", fontsize=label.size_pt, color=INK if label.needed else FAINT,
+    axes.annotate(plain(text), xy=(label.x, label.y), xytext=(place[0] - mark[0], place[1] - mark[1]),
+                  textcoords="offset points", fontsize=label.size_pt, color=INK if label.short else FAINT,
                   ha="left", va="bottom", zorder=5,
-                  bbox={"facecolor": "white", "alpha": 0.75, "edgecolor": "none", "pad": 0.5} if label.needed else None)
+                  bbox={"facecolor": "white", "alpha": 0.75, "edgecolor": "none", "pad": 0.5} if label.short else None)

@@ -5,7 +5,6 @@ import re
 from collections.abc import Sequence
 
 from .combinations import Key, as_numbers, key_text
-from .look import shortened
 from .summaries import Summary
 from .sweep import Axis
 
@@ -26,7 +25,7 @@ def short_name(summary: Summary, axes: Sequence[Axis]) -> str:
 def heading(axes: Sequence[Axis], key: Key, letters: int) -> str:
     """What a group of settings with these values is called: "name=value, ..." if there is room for that."""
     full = key_text(axes, key)
-    return full if len(full) <= letters else shortened(_values_text(axes, key), letters)
+    return full if len(full) <= letters else _values_text(axes, key)
 
 
 def _values_text(axes: Sequence[Axis], values: Sequence[str]) -> str:

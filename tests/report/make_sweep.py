@@ -145,7 +145,7 @@ def _facts(folder: Path, sweep: Sweep, columns: dict[str, str], combinations: li
         "version": "1.1.0", "commit": "f9abebc", "compiler": "GCC 12.2.0", "scene": "scene:spheres",
         "command_line": ["hybridrt", "sweep", "scene:spheres", *[f"--{name}={','.join(values)}" for name, values in sweep.axes.items()]],
         "date": "2026-03-01T12:00:00Z", "processor": "AMD EPYC 7R13 Processor", "threads": 8,
-        "gl_renderer": "llvmpipe (LLVM 15.0.6, 256 bits)", "busy": 0.02, "rounds": sweep.rounds, "frames": f"1-{sweep.frames}",
+        "gl_renderer": "llvmpipe (LLVM 15.0.6, 256 bits)", "busy": 0.02, "rounds": sweep.rounds, "frames": f"1-{sweep.frames}" if sweep.frames > 1 else "1",
         "preset": None,
         "truth": {"method": "reference", "samples": 1, "kind": "reference" if sweep.accuracy else "none",
                   "note": "the method's error without aliasing" if sweep.accuracy else ""},

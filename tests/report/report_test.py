@@ -164,6 +164,7 @@ class BadInputTest(ReportTestCase):
     def test_csv_that_is_not_one(self):
         for text, word in (("", "no column setting"), ("setting,round,frame,wall_ms\n", "no column error"),
                            ("setting,round,frame,wall_ms,error\n1,1,1,abc,\n", "line 2: wall_ms is 'abc'"),
+                           ("setting,round,frame,wall_ms,rmse,error\n1,1,1,1,abc,\n", "line 2: rmse is 'abc'"),
                            ("setting,round,frame,wall_ms,error\n1,1,1,inf,\n", "line 2: wall_ms is 'inf'"),
                            ("setting,round,frame,wall_ms,error\n1,1,1,,\n", "line 2: neither"),
                            ("setting,round,frame,wall_ms,error\n1,1,1\n", "line 2: not as many cells"),
@@ -369,7 +370,7 @@ class DrawnTest(ReportTestCase):
             self.assertIn(f"failed: {reason}", text)
 
     def test_markup_in_names_stays_text(self):
-        hostile = "<script>alert(1)</script>$x^2$ \"&'"
+        hostile = "$x^2$<script>alert(1)</script> \"&'"
         make_sweep(self.folder, Sweep({"shadows": ["map", hostile], "blur-kernel": ["3", "5", "7"]}, facts={
             "scene": hostile, "processor": hostile, "gl_renderer": hostile, "command_line": ["hybridrt", hostile],
             "truth": {"method": hostile, "samples": 4, "kind": "reference", "note": hostile}}))
@@ -381,7 +382,7 @@ class DrawnTest(ReportTestCase):
         for path in self.folder.glob("*.svg"):
             root = ElementTree.parse(path).getroot()
             self.assertFalse([element for element in root.iter() if element.tag.endswith("script")])
-            self.assertIn("<script>", "".join(root.itertext()), path.name)
+            self.assertIn("$x^2$<script>", "".join(root.itertext()), path.name)
 
     def test_control_characters_and_lone_surrogates(self):
         self.write([{"setting": 1, "wall_ms": 1, "rmse": 0.1}], settings=[{"number": 1, "label": "a\x00b\ud800c"}])
@@ -394,7 +395,10 @@ class DrawnTest(ReportTestCase):
         (self.folder / "pictures" / "0002.difference.png").write_bytes(b"\x89PNG\r\n\x1a\nno")
         path = self.folder / "sweep.json"
         facts = json.loads(path.read_text())
-        facts["settings"][2].update(picture=None, truth="../../etc/passwd", difference=7)
+        outside = self.folder.with_name(self.folder.name + ".png")
+        self.addCleanup(outside.unlink)
+        outside.write_bytes((self.folder / "pictures" / "0003.png").read_bytes())
+        facts["settings"][2].update(picture=None, truth=f"../{outside.name}", difference=7)
         path.write_text(json.dumps(facts))
         _, text = self.report()
         self.assertEqual(re.findall(r"<figcaption>([^<]*): no picture", text),
