@@ -35,8 +35,8 @@ def write_report(folder: Path) -> list[str]:
     try:
         import matplotlib.figure  # noqa: F401, the modules below need it
     except ImportError:
-        raise ReportError("the charts need Matplotlib, which this Python has not; install python3-matplotlib (Debian, Ubuntu) or "
-                          f"run `pip install matplotlib`; the figures are in {folder / 'sweep.csv'}") from None
+        raise ReportError("the charts need Matplotlib, which this Python has not; install python3-matplotlib "
+                          f"(Debian, Ubuntu) or run `pip install matplotlib`; the figures are in {folder / 'sweep.csv'}") from None
     from .chart import png_of, svg_of
     from .draw import draw
     from .look import house_look

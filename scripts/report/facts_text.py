@@ -6,10 +6,10 @@ from .sweep import Sweep, Truth
 
 def facts_text(sweep: Sweep, with_truth: bool) -> str:
     facts = sweep.facts
-    version = " ".join(part for part in ("hybridrt", facts["version"], f"({facts['commit']})" if facts["commit"] else "") if part)
+    commit = f"({facts['commit']})" if facts["commit"] else ""
     said = [f"{facts['processor'] or 'unknown processor'}, {counted(facts['threads'], 'thread')}",
             sweep.gl_renderer or "all passes on the CPU",
-            version,
+            " ".join(part for part in ("hybridrt", facts["version"], commit) if part),
             f"{'frame' if facts['frames'].isdigit() else 'frames'} {facts['frames'] or 'unknown'}, "
             f"{counted(facts['rounds'], 'round')}: medians, bars from the first to the third quartile"]
     if facts["scene"]:

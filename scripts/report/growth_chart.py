@@ -48,9 +48,9 @@ def growth_chart(sweep: Sweep, summaries: Sequence[Summary], axis: Axis) -> Opti
         axes.set_xlabel("triangles")
     return Chart(
         name="growth", title="Time over triangles",
-        meaning="Above: the median time of a frame, with a band from the first to the third quartile; both axes are logarithmic. "
-                "Below: the share of the passes that the paper gives to the GPU (1, 2, 3 and 5) in the time of these and pass 4, "
-                "the rays. Over the dashed line they take longer than the rays: the bottleneck has moved.",
+        meaning="Above: the median time of a frame, with a band from the first to the third quartile; both axes are "
+                "logarithmic. Below: the share of the passes that the paper gives to the GPU (1, 2, 3 and 5) in the time of "
+                "these and pass 4, the rays. Over the dashed line they take longer than the rays: the bottleneck has moved.",
         facts=facts, facts_height_pt=canvas.facts_height_pt, figure=canvas.figure, notes=tuple(notes))
 
 

@@ -17,7 +17,8 @@ LEGEND_LETTERS = 40
 MOST_LETTERS = 72
 
 
-def lines_over(axis: Axis, axes: Sequence[Axis], summaries: Sequence[Summary]) -> tuple[dict[str, list[Summary]], list[str]]:
+def lines_over(axis: Axis, axes: Sequence[Axis],
+               summaries: Sequence[Summary]) -> tuple[dict[str, list[Summary]], list[str]]:
     """The settings along `axis`, sorted, for each combination of the other varied axes that has at least two; by a text
     for the legend ("" if there is one combination only). And notes on what was left out."""
     others = varying([other for other in axes if other is not axis], summaries)
@@ -47,6 +48,7 @@ def lines_canvas(title: str, facts: str, legend: tuple[list[Line2D], list[str], 
     return canvas
 
 
-def draw_lines(axes: Axes, groups: Sequence[Sequence[Summary]], x: Callable[[Summary], float], y: Callable[[Summary], float]) -> None:
+def draw_lines(axes: Axes, groups: Sequence[Sequence[Summary]], x: Callable[[Summary], float],
+               y: Callable[[Summary], float]) -> None:
     for place, group in enumerate(groups):
         axes.plot([x(summary) for summary in group], [y(summary) for summary in group], zorder=3, **line_style(place))

@@ -43,8 +43,8 @@ def _summary(sweep: Sweep, summaries: Sequence[Summary]) -> str:
     failed = [setting for setting in sweep.settings if setting.errors]
     if failed:
         text += "<ul>" + "".join(
-            f'<li class="failed">Setting {setting.number} ({escape(setting.label)}) failed: {escape("; ".join(setting.errors))}</li>'
-            for setting in failed) + "</ul>\n"
+            f'<li class="failed">Setting {setting.number} ({escape(setting.label)}) failed: '
+            f'{escape("; ".join(setting.errors))}</li>' for setting in failed) + "</ul>\n"
     return text
 
 
@@ -66,5 +66,6 @@ def _facts(sweep: Sweep) -> str:
         ("compared with", truth_text(sweep.truth).removeprefix("truth: ") if sweep.truth.kind != "none" else "nothing"),
         ("axes", "; ".join(f"{axis.name}: {', '.join(axis.values)}" for axis in sweep.axes))]
     lines = "".join(f"<dt>{name}</dt><dd>{escape(text)}</dd>" for name, text in entries if text)
-    return (f'<section id="facts">\n<h2>How it was measured</h2>\n<p><code>{escape(facts["command_line"])}</code></p>\n<dl>{lines}</dl>\n'
+    return (f'<section id="facts">\n<h2>How it was measured</h2>\n'
+            f'<p><code>{escape(facts["command_line"])}</code></p>\n<dl>{lines}</dl>\n'
             '<p>All figures: <a href="sweep.csv">sweep.csv</a>, <a href="sweep.json">sweep.json</a>.</p>\n</section>\n')

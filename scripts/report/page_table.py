@@ -10,9 +10,9 @@ from .number_text import count_text, decibel_text, ms_text, similarity_text, sma
 from .summaries import Accuracy, Summary
 from .sweep import Sweep
 
-NOTE = ("Times are in ms: medians over frames and rounds; the first frame with its one-off cost, which the median leaves out. RMSE, "
-        "PSNR, SSIM and the largest error are of display values; over several frames the RMSE is the root of the mean square, "
-        "SSIM and the numbers of pixels are means.")
+NOTE = ("Times are in ms: medians over frames and rounds; the first frame with its one-off cost, which the median leaves "
+        "out. RMSE, PSNR, SSIM and the largest error are of display values; over several frames the RMSE is the root of the "
+        "mean square, SSIM and the numbers of pixels are means.")
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,8 @@ def table_part(sweep: Sweep, summaries: Sequence[Summary], on_front: frozenset[i
         number = f'<a href="#setting-{setting.number}">{setting.number}</a>' if pictures else str(setting.number)
         cells = f'<td class="number">{number}</td><th scope="row">{escape(setting.label)}</th>'
         if setting.errors:
-            cells += f'<td class="failed" colspan="{len(columns) + with_front}">failed: {escape("; ".join(setting.errors))}</td>'
+            reason = escape("; ".join(setting.errors))
+            cells += f'<td class="failed" colspan="{len(columns) + with_front}">failed: {reason}</td>'
             rows.append(f"<tr>{cells}</tr>")
             continue
         summary = measured[setting.number]

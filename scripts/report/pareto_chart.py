@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 
 from .canvas import add_legend, make_canvas, panel_letters
 from .chart import Chart, Point
-from .combinations import Key, first_ones, varying
+from .combinations import first_ones, varying
 from .error_axis import ErrorAxis, draw_error_axis, error_axis
 from .facts_text import facts_text
 from .look import FAINT, INK, shortened
@@ -53,15 +53,18 @@ def pareto_chart(sweep: Sweep, summaries: Sequence[Summary]) -> Optional[Chart]:
     kinds = 3 if any(len(pareto_front(group)) < len(group) for group in groups.values()) else 2
     add_legend(canvas, handles[:kinds], texts[:kinds], kinds)
     if left_out:
-        notes.append(f"{left_out} names or numbers found no room; the points' tooltips and the table have them.")
+        notes.append(f"There was no room for {left_out} of the names and numbers; the points' tooltips and the table have "
+                     "them.")
     unsound = [str(summary.setting.number) for summary in summaries if summary.accuracy and not summary.accuracy.sound]
     if unsound:
-        notes.append(f"Left out, for pixels that are no numbers or figures that contradict each other: setting {', '.join(unsound)}.")
+        notes.append("Left out, for pixels that are no numbers or figures that contradict each other: "
+                     f"setting {', '.join(unsound)}.")
     return Chart(
         name="pareto", title="Time against error",
-        meaning="A point is a setting: the median time of a frame and the error against the truth (root mean square). Down and to the "
-                "left is better. On the front are the settings that no other one beats in time or error without being worse in the "
-                "other." + (" Only settings with the same truth are compared, so there is a panel for each." if truth_axes else ""),
+        meaning="A point is a setting: the median time of a frame and the error against the truth (root mean square). Down "
+                "and to the left is better. On the front are the settings that no other one beats in time or error without "
+                "being worse in the other."
+                + (" Only settings with the same truth are compared, so there is a panel for each." if truth_axes else ""),
         facts=facts, facts_height_pt=canvas.facts_height_pt, figure=canvas.figure, notes=tuple(notes),
         points=tuple(Point(_gid(summary), summary.setting.number, _tooltip(summary)) for summary in shown))
 
@@ -90,8 +93,8 @@ def _panel(axes: Axes, group: Sequence[Summary], named: Sequence[Axis], scale: E
         axes.plot([summary.wall.middle], [scale.y(summary)], linestyle="", gid=_gid(summary), zorder=3, **style)
 
     size, width = (7.5, 26) if small else (8.5, 36)
-    labels = [Label(summary.wall.middle, scale.y(summary), _front_text(summary, named, width), size, str(summary.setting.number))
-              for summary in front]
+    labels = [Label(summary.wall.middle, scale.y(summary), _front_text(summary, named, width), size,
+                    short=str(summary.setting.number)) for summary in front]
     labels += [Label(summary.wall.middle, scale.y(summary), str(summary.setting.number), 7)
                for summary in group if summary.setting.number not in on_front]
     return place_labels(axes, labels, [EQUAL_TEXT_BOX] if scale.bottom < scale.low else [], [corners, *bars])

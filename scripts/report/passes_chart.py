@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 from .canvas import add_legend, legend_columns, legend_rows, make_canvas, panel_letters
 from .chart import Chart, file_name
 from .combinations import REFLECTIVE_AXES, first_ones, grouped, is_numeric, position, values_of, varying
-from .facts_text import facts_text
+from .facts_text import counted, facts_text
 from .look import FAINT, INK, plain, shortened
 from .numeric_axis import label_of, show_values
 from .setting_name import heading
@@ -35,7 +35,12 @@ def passes_chart(sweep: Sweep, summaries: Sequence[Summary], axis: Axis) -> Opti
     if not used:
         return None
     others = varying([other for other in sweep.axes if other is not axis], summaries)
-    groups, notes = first_ones(grouped(summaries, others), MOST_PANELS, "combinations of the other axes")
+    every = grouped(summaries, others)
+    with_several = {key: group for key, group in every.items() if len(group) > 1} or every
+    groups, notes = first_ones(with_several, MOST_PANELS, "combinations of the other axes")
+    if len(with_several) < len(every):
+        notes.append(f"Left out: {counted(str(len(every) - len(with_several)), 'combination')} for which a single value was "
+                     "measured.")
     area = is_numeric(axis, summaries) and len(values_of(axis, summaries)) >= LEAST_FOR_AREA
     shown = [summary for group in groups.values() for summary in group]
 
@@ -78,9 +83,9 @@ def passes_chart(sweep: Sweep, summaries: Sequence[Summary], axis: Axis) -> Opti
 def pass_names(summaries: Sequence[Summary]) -> dict[str, str]:
     """As the paper numbers them; what the first one makes depends on the shadows."""
     first = {"light buffer" if summary.setting.shadows in ("exact", "rays") else "shadow map" for summary in summaries}
-    return {"shadow_map_ms": "1 " + " or ".join(sorted(first, reverse=True)), "id_ms": "2 triangle ids", "mark_ms": "3 marking",
-            "readback_ms": "readback", "trace_ms": "4 rays on the CPU", "upload_ms": "upload", "shade_ms": "5 shading",
-            "download_ms": "download"}
+    return {"shadow_map_ms": "1 " + " or ".join(sorted(first, reverse=True)), "id_ms": "2 triangle ids",
+            "mark_ms": "3 marking", "readback_ms": "readback", "trace_ms": "4 rays on the CPU", "upload_ms": "upload",
+            "shade_ms": "5 shading", "download_ms": "download"}
 
 
 def _areas(axes: Axes, axis: Axis, group: Sequence[Summary], used: Sequence[str]) -> None:
@@ -111,8 +116,8 @@ def _bars(axes: Axes, axis: Axis, group: Sequence[Summary], used: Sequence[str],
     axes.errorbar(places, [summary.wall.middle for summary in members], yerr=_spread(members), color=INK, marker="_",
                   markersize=22 if len(values) < 8 else 10, markeredgewidth=2, linestyle="", elinewidth=1, capsize=2)
     for place in set(range(len(values))) - set(places):
-        axes.annotate("no figures", xy=(place, 0), xytext=(0, 4), textcoords="offset points", rotation=90, ha="center", va="bottom",
-                      fontsize=8, color=FAINT)
+        axes.annotate("no figures", xy=(place, 0), xytext=(0, 4), textcoords="offset points", rotation=90, ha="center",
+                      va="bottom", fontsize=8, color=FAINT)
     axes.set_xticks(range(len(values)), [plain(shortened(value, TICK_LETTERS)) for value in values],
                     rotation=30 if slanted else 0, ha="right" if slanted else "center", rotation_mode="anchor")
     axes.set_xlim(-0.6, len(values) - 0.4)

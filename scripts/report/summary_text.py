@@ -40,8 +40,8 @@ def warnings_of(sweep: Sweep, summaries: Sequence[Summary]) -> list[str]:
                     "Measure again when it is idle.")
     for summary in summaries:
         if summary.accuracy and not summary.accuracy.sound:
-            said.append(f"Setting {summary.setting.number} ({summary.setting.label}) has pixels that are no numbers, or figures of "
-                        "accuracy that contradict each other; it is left out where errors are compared.")
+            said.append(f"Setting {summary.setting.number} ({summary.setting.label}) has pixels that are no numbers, or "
+                        "figures of accuracy that contradict each other; it is left out where errors are compared.")
     return said
 
 
@@ -63,7 +63,8 @@ def _findings(group: Sequence[Summary], axes: Sequence[Axis]) -> str:
     if not candidates:
         return " ".join(said)
     best = min(summary.accuracy.rmse for summary in candidates)
-    most_accurate = sorted((summary for summary in candidates if summary.accuracy.rmse == best), key=lambda summary: summary.wall.middle)
+    most_accurate = sorted((summary for summary in candidates if summary.accuracy.rmse == best),
+                           key=lambda summary: summary.wall.middle)
     equals = most_accurate[0].accuracy.equal
     others = len(most_accurate) - 1
     what = "The fastest of those that equal the truth to the last bit" if equals and others else (

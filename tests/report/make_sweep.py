@@ -67,7 +67,8 @@ def make_sweep(folder: Path, sweep: Sweep) -> None:
         writer.writeheader()
         for turn in range(1, sweep.rounds + 1):
             for number, values in enumerate(combinations, 1):
-                start = {"setting": number, "round": turn, **DEFAULTS, **{columns[name]: value for name, value in values.items()}}
+                start = {"setting": number, "round": turn, **DEFAULTS,
+                         **{columns[name]: value for name, value in values.items()}}
                 if number in sweep.failing:
                     writer.writerow({**start, "error": sweep.failing[number]})
                     continue
@@ -95,7 +96,8 @@ def _times(values: dict[str, str], chance: random.Random) -> dict[str, object]:
     rays = {"map": 0, "blur": 2 + 0.5 * kernel, "rays": 30, "exact": 6}.get(shadows, 5)
     primary = 45 if method == "raytrace" else 0
     slow = 1.7 if values.get("accel") == "kdtree" else 1
-    traced = slow * (rays + primary + 0.9 * mirrors ** 1.15) * (1 + 0.09 * math.log10(triangles)) * 8 / threads * (1 + 0.02 * threads)
+    traced = slow * (rays + primary + 0.9 * mirrors ** 1.15) * (1 + 0.09 * math.log10(triangles))
+    traced *= 8 / threads * (1 + 0.02 * threads)
     raster = method != "raytrace"
     times = {
         "shadow_map_ms": raster * (1 + 8e-6 * triangles + 1.2e-7 * map_px ** 2), "id_ms": raster * (2 + 1.4e-5 * triangles),
@@ -143,10 +145,11 @@ def _facts(folder: Path, sweep: Sweep, columns: dict[str, str], combinations: li
         settings.append(entry)
     return {
         "version": "1.1.0", "commit": "f9abebc", "compiler": "GCC 12.2.0", "scene": "scene:spheres",
-        "command_line": ["hybridrt", "sweep", "scene:spheres", *[f"--{name}={','.join(values)}" for name, values in sweep.axes.items()]],
+        "command_line": ["hybridrt", "sweep", "scene:spheres",
+                         *[f"--{name}={','.join(values)}" for name, values in sweep.axes.items()]],
         "date": "2026-03-01T12:00:00Z", "processor": "AMD EPYC 7R13 Processor", "threads": 8,
-        "gl_renderer": "llvmpipe (LLVM 15.0.6, 256 bits)", "busy": 0.02, "rounds": sweep.rounds, "frames": f"1-{sweep.frames}" if sweep.frames > 1 else "1",
-        "preset": None,
+        "gl_renderer": "llvmpipe (LLVM 15.0.6, 256 bits)", "busy": 0.02, "rounds": sweep.rounds,
+        "frames": f"1-{sweep.frames}" if sweep.frames > 1 else "1", "preset": None,
         "truth": {"method": "reference", "samples": 1, "kind": "reference" if sweep.accuracy else "none",
                   "note": "the method's error without aliasing" if sweep.accuracy else ""},
         "axes": [{"name": name, "column": columns[name], "values": values, "changes_truth": name in CHANGES_TRUTH}

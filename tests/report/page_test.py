@@ -48,8 +48,8 @@ class PageTest(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def browse(self, page, *options):
-        command = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--enable-logging=stderr", "--v=0",
-                   f"--user-data-dir={self.folder / 'profile'}", "--virtual-time-budget=5000", *options, page.as_uri()]
+        command = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--enable-logging=stderr",
+                   "--v=0", f"--user-data-dir={self.folder / 'profile'}", "--virtual-time-budget=5000", *options, page.as_uri()]
         return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True,
                               env={**os.environ, "HOME": str(self.folder)})
 

@@ -120,7 +120,8 @@ class FiguresTest(ReportTestCase):
     def test_a_front_for_each_truth(self):
         axes = [{"name": "triangles", "column": "triangles", "values": ["10", "20"], "changes_truth": True},
                 {"name": "kind", "column": "kind", "values": ["1", "2"], "changes_truth": False}]
-        self.write([{"setting": 1, "triangles": 10, "wall_ms": 1, "rmse": 0.1}, {"setting": 2, "triangles": 10, "wall_ms": 2, "rmse": 0.2},
+        self.write([{"setting": 1, "triangles": 10, "wall_ms": 1, "rmse": 0.1},
+                    {"setting": 2, "triangles": 10, "wall_ms": 2, "rmse": 0.2},
                     {"setting": 3, "triangles": 20, "wall_ms": 9, "rmse": 0.3}], axes)
         named, groups = truth_groups(read_sweep(self.folder).axes, self.summaries())
         self.assertEqual([axis.name for axis in named], ["triangles"])
@@ -197,7 +198,8 @@ class BadInputTest(ReportTestCase):
         make_sweep(self.folder, Sweep(SHADOWS, pictures=False))
         blocked = ("import runpy, sys; sys.modules['matplotlib'] = None; sys.argv = sys.argv[1:]; "
                    "runpy.run_path(sys.argv[0], run_name='__main__')")
-        done = subprocess.run([sys.executable, "-c", blocked, str(REPORT), str(self.folder)], capture_output=True, text=True, check=False)
+        done = subprocess.run([sys.executable, "-c", blocked, str(REPORT), str(self.folder)], capture_output=True, text=True,
+                              check=False)
         self.assertEqual((done.returncode, done.stdout, len(done.stderr.splitlines())), (3, "", 1), done.stderr)
         for word in ("python3-matplotlib", "pip install matplotlib", "sweep.csv"):
             self.assertIn(word, done.stderr)
@@ -458,6 +460,16 @@ class DrawnTest(ReportTestCase):
     def test_combinations_left_out_are_told(self):
         make_sweep(self.folder, Sweep({"shadows": ["map", "exact"], "blur-kernel": list("1234567")}, pictures=False))
         self.assertIn("The first 6 of 7 combinations of the other axes are drawn", self.report()[1])
+
+    def test_axes_that_form_no_grid(self):
+        axes = [{"name": "method", "column": "method", "values": ["a", "b"], "changes_truth": False},
+                {"name": "shadows", "column": "shadows", "values": ["map", "exact"], "changes_truth": False}]
+        self.write([{"setting": 1, "method": "a", "shadows": "map", "wall_ms": 3, "trace_ms": 1},
+                    {"setting": 2, "method": "a", "shadows": "exact", "wall_ms": 4, "trace_ms": 2},
+                    {"setting": 3, "method": "b", "shadows": "", "wall_ms": 5, "trace_ms": 3}], axes)
+        names, text = self.report()
+        self.assertIn("passes-shadows.svg", names)
+        self.assertIn("Left out: 1 combination for which a single value was measured.", text)
 
     def test_a_folder_that_cannot_be_written(self):
         make_sweep(self.folder, Sweep(SHADOWS, pictures=False))
