@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from .look import FAINT, plain
+from .look import FAINT, plain, shortened
 
 WIDTH = 6.4
 LEFT, RIGHT = 0.78, 0.16
@@ -17,6 +17,7 @@ TITLE = 0.36
 LEGEND_ROW = 0.17
 PANEL_TITLE = 0.24
 HEADING_LINE = 0.15
+MOST_HEADING_LINES = 3
 ROW_GAP = 0.16
 COLUMN_GAP = 0.4
 FACTS_LINE = 0.145
@@ -37,7 +38,9 @@ def make_canvas(title: str, facts: str, *, headings: Sequence[str], panel_height
     count = len(headings)
     columns = min(columns, count)
     rows = -(-count // columns)
-    wrapped = [textwrap.wrap(text, panel_letters(count), break_on_hyphens=False) for text in headings]
+    letters = panel_letters(count)
+    wrapped = [textwrap.wrap(shortened(text, MOST_HEADING_LINES * letters - 12), letters, break_on_hyphens=False)
+               for text in headings]
     most = max(map(len, wrapped))
     heading = PANEL_TITLE + (most - 1) * HEADING_LINE if most else 0.06
     lines = textwrap.wrap(facts, FACTS_CHARACTERS) or [""]

@@ -30,7 +30,7 @@ table { border-collapse: collapse; font-size: .875rem; width: 100%; overflow-wra
 th, td { padding: .3rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 tbody tr:last-child > * { border-bottom: 0; }
 thead th { vertical-align: bottom; }
-tbody th { font-weight: normal; min-width: min(19rem, 60vw); }
+tbody th { font-weight: normal; min-width: min(19rem, 48vw); }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 td.number { white-space: nowrap; }
 tr.front { background: var(--front); }

@@ -63,7 +63,7 @@ def pareto_chart(sweep: Sweep, summaries: Sequence[Summary]) -> Optional[Chart]:
         name="pareto", title="Time against error",
         meaning="A point is a setting: the median time of a frame and the error against the truth (root mean square). Down "
                 "and to the left is better. On the front are the settings that no other one beats in time or error without "
-                "being worse in the other."
+                "being worse in the other. Where the bars of two settings overlap, which is the faster one is not certain."
                 + (" Only settings with the same truth are compared, so there is a panel for each." if truth_axes else ""),
         facts=facts, facts_height_pt=canvas.facts_height_pt, figure=canvas.figure, notes=tuple(notes),
         points=tuple(Point(_gid(summary), summary.setting.number, _tooltip(summary)) for summary in shown))
@@ -90,7 +90,7 @@ def _panel(axes: Axes, group: Sequence[Summary], named: Sequence[Axis], scale: E
         axes.plot(*zip(*bar), color=FAINT, linewidth=1, zorder=2.5)
     for summary in sorted(group, key=lambda summary: summary.setting.number in on_front):
         style = ON_FRONT if summary.setting.number in on_front else OFF_FRONT
-        axes.plot([summary.wall.middle], [scale.y(summary)], linestyle="", gid=_gid(summary), zorder=3, **style)
+        axes.plot([summary.wall.middle], [scale.y(summary)], linestyle="", gid=_gid(summary), zorder=6, **style)
 
     size, width = (7.5, 26) if small else (8.5, 36)
     labels = [Label(summary.wall.middle, scale.y(summary), _front_text(summary, named, width), size,

@@ -14,7 +14,7 @@ Spot = tuple[float, float]
 
 DIRECTIONS = 16
 LEADER_FROM_PT = 13
-POINT_PT = 4.5
+POINT_PT = 5.0
 GAP_PT = 2.5
 DISTANCES = (7, 10, 16, 24, 34, 46, 60, 80, 105, 140, 180, 230)
 NEAR_DISTANCES = (6, 8, 11)

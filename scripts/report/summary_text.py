@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from .combinations import Key, grouped, key_text, varying
 from .facts_text import counted
+from .look import shortened
 from .number_text import error_text, ms_text
 from .pareto_front import pareto_front, truth_groups
 from .setting_name import short_name
@@ -13,6 +14,7 @@ from .sweep import Axis, Sweep
 
 BUSY = 0.1
 MOST_GROUPS = 6
+NAME_LETTERS = 80
 
 
 def summary_sentences(sweep: Sweep, summaries: Sequence[Summary]) -> list[str]:
@@ -80,4 +82,4 @@ def _findings(group: Sequence[Summary], axes: Sequence[Axis]) -> str:
 
 
 def _name(summary: Summary, axes: Sequence[Axis]) -> str:
-    return f"{summary.setting.number} ({short_name(summary, axes)})"
+    return f"{summary.setting.number} ({shortened(short_name(summary, axes), NAME_LETTERS)})"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes up a sweep that looks like a real one: sweep.csv, sweep.json and small pictures. The same seed, the same files.
 
-    tests/report/make_sweep.py DIR [--preset pareto|paper|scaling|growth|many]
+    tests/report/make_sweep.py DIR [--preset pareto|paper|scaling|growth|many|long]
 """
 from __future__ import annotations
 
@@ -51,6 +51,10 @@ PRESETS = {
     "growth": Sweep({"triangles": ["1000", "10000", "100000", "1000000", "10000000"], "shadows": ["map", "exact"]}),
     "many": Sweep({"triangles": ["1000", "100000", "1000000"], "shadows": ["map", "rays", "exact"],
                    "blur-kernel": ["3", "5", "9", "15"], "frames-in-flight": ["1", "2"]}, facts={"busy": 0.23}),
+    "long": Sweep({"method": ["hybrid" + 30 * "_and_more", "raytrace with a name of many words " * 4],
+                   "triangles": ["1234", "567890"]},
+                  facts={"scene": "/home/somebody/models" + 12 * "/and_a_folder" + "/car.obj",
+                         "gl_renderer": "NVIDIA H200/PCIe/SSE2"}),
 }
 
 

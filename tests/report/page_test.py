@@ -67,7 +67,7 @@ class PageTest(unittest.TestCase):
 
     @unittest.skipUnless(HAS_MATPLOTLIB, "this Python has no Matplotlib; install python3-matplotlib")
     def test_reports(self):
-        for preset in ("pareto", "many", "paper", "growth"):
+        for preset in ("pareto", "many", "paper", "growth", "long"):
             folder = self.folder / preset
             make_sweep(folder, PRESETS[preset])
             subprocess.run([sys.executable, str(REPORT), str(folder)], check=True, capture_output=True)
