@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 """Makes up a sweep that looks like a real one: sweep.csv, sweep.json and small pictures. The same seed, the same files.
 
-    tests/report/make_sweep.py DIR [--preset pareto|paper|scaling|growth|many|long]
+    python3 tests/report/make_sweep.py DIR [--preset pareto|paper|scaling|growth|many|long]
 """
 from __future__ import annotations
 

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Opens a made-up report in Chromium: no error on the console, no sideways scrolling on a phone or a desk."""
 from __future__ import annotations
 
@@ -13,17 +12,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.dont_write_bytecode = True
+from make_sweep import PRESETS, make_sweep
+from report_case import REPORT, needs_matplotlib
 
-from make_sweep import PRESETS, make_sweep  # noqa: E402, beside this file
-
-try:
-    import matplotlib.figure  # noqa: F401
-    HAS_MATPLOTLIB = True
-except ImportError:
-    HAS_MATPLOTLIB = False
-
-REPORT = Path(__file__).resolve().parent.parent.parent / "scripts" / "report"
 BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 WIDTHS_PX = (390, 1280)
 
@@ -65,7 +56,7 @@ class PageTest(unittest.TestCase):
         document = self.browse(frame, "--dump-dom", "--window-size=1400,3200").stdout
         return json.loads(html.unescape(re.search(r'<pre id="found">([^<]*)</pre>', document).group(1)))
 
-    @unittest.skipUnless(HAS_MATPLOTLIB, "this Python has no Matplotlib; install python3-matplotlib")
+    @needs_matplotlib
     def test_reports(self):
         for preset in ("pareto", "many", "paper", "growth", "long"):
             folder = self.folder / preset
