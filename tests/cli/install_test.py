@@ -47,6 +47,13 @@ class InstallTest(unittest.TestCase):
         self.assertTrue(os.path.exists(os.path.join(share, "golden", "golden.json")), "the golden list is not installed")
         self.assertIn("as expected", self.run_installed("golden", "check"))
 
+    def test_charts(self):
+        self.run_installed("sweep", "scene:spheres,triangles=500", "--size", "64x48", "--over", "shadows=none,exact",
+                           "--truth-samples", "1", "--rounds", "1", "-o", "sweep")
+        self.assertTrue(os.path.exists(os.path.join(self.prefix, "share", "hybridrt", "report", "__main__.py")))
+        if subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"], capture_output=True).returncode == 0:
+            self.assertIn("report.html", os.listdir(os.path.join(self.elsewhere, "sweep")))
+
     def test_man_page_and_completion(self):
         with open(os.path.join(self.prefix, "share", "man", "man1", "hybridrt.1"), encoding="utf-8") as file:
             self.assertEqual(file.read(), self.run_installed("help", "--man"))
