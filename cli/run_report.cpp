@@ -73,6 +73,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
   report["rendering_ms"] = totals.rendering_ms;
   report["drain_ms"] = totals.drain_ms;
   report["frames"] = totals.frames;
+  report["repeated_frames"] = totals.repeated;
   report["frames_per_second"] = totals.frames_per_second();
   report["peak_memory_mib"] = peak_memory_mib();
   report["warnings"] = warnings;

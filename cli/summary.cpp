@@ -53,7 +53,8 @@ std::string rays_table(const RenderJob& job, const RunTotals& totals) {
   const TraceStats& s = totals.stats;
   const bool rasterised = job.settings.method == Method::hybrid || job.settings.method == Method::raster;
   const PixelRect picture = picture_rect(job.settings);
-  const int64_t primary = totals.frames * picture.width_px * picture.height_px * job.settings.samples;
+  const int64_t primary =
+      (totals.frames - totals.repeated) * picture.width_px * picture.height_px * job.settings.samples;
   const auto casting = static_cast<int64_t>(count_shadow_casters(job.lights.lights));
   const int64_t receivers_untraced = std::max<int64_t>(0, casting * s.pixels_hit - s.primary_shadow_rays);
   std::string out = fmt::format("{:<26} {:>12} {:>12}\n", "rays", "fired", "saved");
@@ -74,8 +75,10 @@ std::string rays_table(const RenderJob& job, const RunTotals& totals) {
 
 void RunTotals::add(const Frame& frame) {
   ++frames;
-  stats.add(frame.stats);
+  repeated += frame.repeated;
   wall_ms += frame.timings.wall_ms;
+  if (frame.repeated) return;
+  stats.add(frame.stats);
   auto& row = times_ms.emplace_back();
   std::copy(frame.timings.pass_ms.begin(), frame.timings.pass_ms.end(), row.begin());
   row[kWall] = static_cast<float>(frame.timings.wall_ms);
@@ -85,7 +88,8 @@ double RunTotals::frames_per_second() const { return wall_ms > 0 ? static_cast<d
 
 std::string summary_table(const RenderJob& job, const RunTotals& totals) {
   return times_table(job, totals) + rays_table(job, totals) +
-         fmt::format("{} frame{}, {:.2f} frames/s\n", totals.frames, totals.frames == 1 ? "" : "s",
+         fmt::format("{} frame{}{}, {:.2f} frames/s\n", totals.frames, totals.frames == 1 ? "" : "s",
+                     totals.repeated ? fmt::format(" ({} show what the one before shows)", totals.repeated) : "",
                      totals.frames_per_second());
 }
 

@@ -11,8 +11,9 @@ namespace hybridrt::cli {
 /// What a run has to tell at its end.
 struct RunTotals {
   int64_t frames = 0;
-  TraceStats stats;
-  double wall_ms = 0;  ///< of all frames
+  int64_t repeated = 0;  ///< of them, those that were not rendered again
+  TraceStats stats;      ///< of those that were rendered, as is what follows
+  double wall_ms = 0;
 
   /// Milliseconds of each frame's passes (PassId), and its wall time as the last.
   std::vector<std::array<float, static_cast<size_t>(PassId::count) + 1>> times_ms;

@@ -28,6 +28,7 @@ std::string load_key(const SweepSetting& setting, const std::vector<Axis>& axes)
 LoadedScene load_scene_of(const SweepSetting& setting, ThreadPool& pool, Warnings& warnings) {
   LoadedScene scene;
   const Stopwatch loading;
+  scene.job.repeats_still_frames = false;  // every frame is measured
   set_settings(scene.job, setting.options, *setting.source);
   scene.framing = set_loaded_scene(scene.job, setting.options, *setting.source, pool, warnings);
   scene.load_ms = loading.elapsed_ms();

@@ -19,6 +19,7 @@ struct Frame {
   std::vector<ImageLayer> aovs;  ///< as asked for (aov.h), of the same pixels
   FrameTimings timings;
   TraceStats stats;
+  bool repeated = false;  ///< it shows what the one before shows, and was not rendered (still_frames.h)
 };
 
 /// What pass 4, or all passes on the CPU, need to know of a frame, except its light buffers. Refers to scene and plan.

@@ -6,6 +6,7 @@
 #include "core/render/cpu_renderer.h"
 #include "core/render/gl_renderer.h"
 #include "core/render/samples.h"
+#include "core/render/still_frames.h"
 #include "core/render/tile_renderer.h"
 
 namespace hybridrt {
@@ -35,8 +36,10 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
     if (!number) return std::nullopt;
     return frame_request(job, *number);
   };
-  const NextFrame next = sampled(next_frame, job.settings.samples);
-  const DeliverFrame deliver = averaged(deliver_frame, job.settings.samples);
+  const FrameEnds ends =
+      job.repeats_still_frames ? without_repeats(next_frame, deliver_frame) : FrameEnds{next_frame, deliver_frame};
+  const NextFrame next = sampled(ends.next, job.settings.samples);
+  const DeliverFrame deliver = averaged(ends.deliver, job.settings.samples);
   const auto ready = [&] {
     facts.ready_ms = preparing.elapsed_ms();
     starting(facts);

@@ -41,6 +41,21 @@ class RenderTest(CliTestCase):
             self.assertAlmostEqual(first, rows[0][column], delta=0.006)
             self.assertAlmostEqual(median, statistics.median(row[column] for row in rows[1:]), delta=0.006)
 
+    def test_a_still_camera_is_rendered_once(self):
+        still = ("--eye", "3,4,9", "--target", "0,0,0")
+        done = self.succeed("render", SCENE, *SMALL, *still, "--frames", "4", "--aov", "shadow", "-o", "s.####.png")
+        self.assertIn("4 frames (3 show what the one before shows)", done.stdout)
+        self.assertEqual(json.loads(self.read("run.json"))["repeated_frames"], 3)
+        rows = self.rows("timings.csv")
+        self.assertGreater(rows[0]["trace_ms"], 0)
+        for row in rows[1:]:
+            self.assertEqual((row["trace_ms"], row["wall_ms"], row["shadow_rays"]), (0, 0, 0))
+            self.assertEqual(row["pixels_hit"], rows[0]["pixels_hit"])
+        self.render(*still, "--frames", "9-9", "-o", "alone.png", "--aov", "shadow")
+        for frame in range(1, 5):
+            self.assertEqual(self.read(f"s.000{frame}.png"), self.read("alone.png"))
+            self.assertEqual(self.read(f"s.shadow.000{frame}.png"), self.read("alone.shadow.png"))
+
     def test_default_size(self):
         self.succeed("render", SCENE, "-q", "--method", "raster")
         picture = Png.read(self.path("out/spheres.0001.png"))

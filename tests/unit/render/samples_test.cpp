@@ -29,6 +29,22 @@ TEST(Samples, BeginInTheCentreAndCoverThePixelEvenly) {
   }
 }
 
+TEST(Samples, OneIsHandedOn) {
+  const NextFrame next = sampled([] { return std::optional(FrameRequest{}); }, 1);
+  EXPECT_EQ(next()->sample_offset_px, dvec2(0));
+  int delivered = 0;
+  const DeliverFrame deliver = averaged(
+      [&](Frame&& frame) {
+        ++delivered;
+        EXPECT_EQ(frame.picture.data, Image(1, 1, 3, 0.3f).data);  // not divided by anything
+      },
+      1);
+  Frame frame;
+  frame.picture = Image(1, 1, 3, 0.3f);
+  deliver(std::move(frame));
+  EXPECT_EQ(delivered, 1);
+}
+
 TEST(Samples, RaysAndRasterLookAtTheSamePlace) {
   View view = make_view({{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 0.8}, dvec3(0), 64, 48);
   const dvec3 centre = view.pixel_dir(10, 20), right = view.pixel_dir(11, 20), below = view.pixel_dir(10, 21);
