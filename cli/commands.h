@@ -26,5 +26,6 @@ void add_report_command(CLI::App& app, Command& chosen);
 void add_scene_command(CLI::App& app, Command& chosen);
 /// `command_line`: all of it, for sweep.json.
 void add_sweep_command(CLI::App& app, const std::vector<std::string>& command_line, Command& chosen);
+void add_tune_command(CLI::App& app, Command& chosen);
 
 }  // namespace hybridrt::cli

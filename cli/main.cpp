@@ -65,6 +65,7 @@ ExitCode run(int argc, char** argv) {
   add_render_command(app, command_line, chosen);
   add_sweep_command(app, command_line, chosen);
   add_report_command(app, chosen);
+  add_tune_command(app, chosen);
   add_compare_command(app, chosen);
   add_golden_command(app, chosen);
   add_scene_command(app, chosen);

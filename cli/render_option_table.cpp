@@ -155,6 +155,9 @@ std::vector<RenderOption> machine() {
        [](Options& o, Text t) { o.gl.device = t; }},
       {"--require-hardware", "", group, "Refuse software renderers",
        [](Options& o, Text t) { o.gl.require_hardware = parse_flag("--require-hardware", t); }},
+      text("--config", "FILE", group,
+           "JSON with more options by their names, as 'hybridrt tune' writes it; the command line takes precedence",
+           &Options::config),
       text("--shaders", "DIR", group, "Folder to read the shaders from instead of the built-in ones",
            &Options::shaders),
   };

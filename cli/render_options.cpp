@@ -5,6 +5,7 @@
 
 #include "cli/render_option_table.h"
 #include "core/base/error.h"
+#include "core/load/scene_file.h"
 #include "core/load/spooled_scene.h"
 
 namespace hybridrt::cli {
@@ -67,17 +68,21 @@ void set_render_option(RenderOptions& options, const std::string& name, const st
 }
 
 RenderOptions with_scene_settings(const RenderOptions& options, const SceneSource& source) {
-  if (source.settings.empty()) return options;
+  if (source.settings.empty() && options.config.empty()) return options;
   const std::vector<RenderOption> table = render_option_table();
   RenderOptions merged;
   merged.scene = options.scene;
-  try {  // first without the command line, so that errors are the file's
-    for (const auto& [name, value] : source.settings) apply_setting(table, name, value, merged);
-    finished_settings(merged);
-    parse_frame_spec(merged.frames);
-  } catch (const Error& problem) {
-    throw error(ErrorKind::input, "{}: settings: {}", source.argument, problem.what());
-  }
+  const auto merge = [&](const std::vector<std::pair<std::string, std::string>>& settings, const std::string& where) {
+    try {  // without the command line, so that errors are the file's
+      for (const auto& [name, value] : settings) apply_setting(table, name, value, merged);
+      finished_settings(merged);
+      parse_frame_spec(merged.frames);
+    } catch (const Error& problem) {
+      throw error(ErrorKind::input, "{}: {}", where, problem.what());
+    }
+  };
+  merge(source.settings, source.argument + ": settings");
+  if (!options.config.empty()) merge(read_settings_file(options.config), options.config);
   for (const auto& [name, value] : options.given) apply_setting(table, name.substr(2), value, merged);
   merged.given = options.given;
   return merged;

@@ -38,6 +38,7 @@ struct RenderOptions {
   std::optional<double> reflection_percent;  ///< share of the triangles made mirrors; default: as the scene is
   bool linear_colors = false;                ///< the meshes' colours are linear, not sRGB
   bool ground = false;                       ///< a floor under the scene
+  std::string config;                        ///< JSON file with more options
   std::string camera;                        ///< camera path file
   std::optional<dvec3> eye, target, up, light;
   bool light_follows_camera = false;
@@ -63,7 +64,8 @@ SceneSource scene_source_of(const RenderOptions& options);
 /// dashes, must be one of the table.
 void set_render_option(RenderOptions& options, const std::string& name, const std::string& value);
 
-/// The options with the source's `settings` applied; the command line takes precedence. Throws Error(input), naming the
+/// The options with the source's `settings` applied, and over them those of --config; the command line takes
+/// precedence. Throws Error(input), naming the
 /// scene, for settings that are not render options or have a value that the option does not take.
 RenderOptions with_scene_settings(const RenderOptions& options, const SceneSource& source);
 

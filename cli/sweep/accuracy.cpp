@@ -54,6 +54,7 @@ Accuracy measure_accuracy(const Frame& frame, const Truth& truth) {
   accuracy.max_error = compared.max_error;
   accuracy.ssim = structural_similarity(shown, truth.picture);
   accuracy.pixels_different = compared.pixels_over_fail;
+  accuracy.pixels_off = compare_images(shown, truth.picture, {.fail = 2.5 / 255}).pixels_over_fail;
   accuracy.non_finite = count_non_finite(frame.picture);
   compare_centres(frame, truth, accuracy);
   return accuracy;

@@ -8,6 +8,7 @@ namespace hybridrt::cli {
 struct Accuracy {
   double rmse = 0, psnr_db = 0, max_error = 0, ssim = 1;
   size_t pixels_different = 0;  ///< 0: equal to the last bit
+  size_t pixels_off = 0;        ///< by more than 2/255 in a channel
   size_t non_finite = 0;        ///< pixels with a value that is no number; they count as black
 
   /// At the pixels' centres, where the frame has one sample there and the truth is known. Shadows count where both see

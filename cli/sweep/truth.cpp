@@ -126,7 +126,7 @@ std::vector<Truth> TruthStore::from_reference(RenderJob& job, ThreadPool& pool,
   bool all_kept = true;
   for (size_t i = 0; i < keys.size(); ++i) {
     truths[i].file = kept_ / fmt::format("{:016x}.png", keys[i]);
-    all_kept = all_kept && fs::exists(truths[i].file);
+    all_kept = all_kept && !kept_.empty() && fs::exists(truths[i].file);
   }
   // Ids and shadows are those of the first sample, so a picture that is kept needs that one only.
   RenderSettings settings = truth_settings(job.settings, all_kept ? 1 : options_.samples);
@@ -142,6 +142,10 @@ std::vector<Truth> TruthStore::from_reference(RenderJob& job, ThreadPool& pool,
         truths[i].ids = std::move(aov.numbers);
       else
         truths[i].shadow = std::move(aov.values);
+    if (kept_.empty()) {
+      truths[i].picture = displayed(frames[i].picture);
+      continue;
+    }
     if (!all_kept) {
       const std::vector<unsigned char> bytes = encode_image(frames[i].picture, "png");
       write_file_atomically(truths[i].file, std::as_bytes(std::span(bytes)));

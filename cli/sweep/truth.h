@@ -29,7 +29,7 @@ Image displayed(const Image& linear);
 RenderSettings truth_settings(const RenderSettings& settings, int samples);
 
 /// Finds the truths of a job's frames; keeps the pictures that it renders in `kept`, under the fingerprints of their
-/// frames, and the last job's truths in memory.
+/// frames, and the last job's truths in memory. If `kept` is empty no file is read or written.
 class TruthStore {
  public:
   /// `tell` is given a line before work that takes long.

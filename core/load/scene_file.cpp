@@ -103,6 +103,19 @@ std::string setting_text(const JsonPlace& place) {
   return list;
 }
 
+/// Names of files begin beside `file`.
+std::vector<std::pair<std::string, std::string>> parse_settings(const JsonPlace& place, const fs::path& file) {
+  place.only_object();
+  std::vector<std::pair<std::string, std::string>> settings;
+  for (const auto& [name, ignored] : place.value().items()) {
+    std::string text = setting_text(place.at(name.c_str()));
+    if (name == "camera" || name == "shaders") text = beside(file, text).string();
+    if (name == "config") place.fail("'config' cannot be given in a file");
+    settings.emplace_back(name, std::move(text));
+  }
+  return settings;
+}
+
 }  // namespace
 
 bool is_scene_file(const fs::path& path) { return path.extension() == ".json"; }
@@ -120,15 +133,13 @@ SceneSource read_scene_file(const fs::path& path) {
   if (const auto ambient = scene.find("ambient")) result.ambient = parse_color(*ambient);
   if (const auto background = scene.find("background")) result.background = parse_color(*background);
   if (scene.has("camera") && scene.has("camera_path")) scene.fail("give either 'camera' or 'camera_path'");
-  if (const auto settings = scene.find("settings")) {
-    settings->only_object();
-    for (const auto& [name, ignored] : settings->value().items()) {
-      std::string text = setting_text(settings->at(name.c_str()));
-      if (name == "camera" || name == "shaders") text = beside(path, text).string();
-      result.settings.emplace_back(name, std::move(text));
-    }
-  }
+  if (const auto settings = scene.find("settings")) result.settings = parse_settings(*settings, path);
   return result;
+}
+
+std::vector<std::pair<std::string, std::string>> read_settings_file(const fs::path& path) {
+  const nlohmann::json document = read_json_file(path);
+  return parse_settings(JsonPlace(document, path.string()), path);
 }
 
 std::optional<CameraCourse> scene_file_camera(const SceneSource& source, UpAxis up, Warnings& warnings) {

@@ -18,4 +18,7 @@ SceneSource read_scene_file(const std::filesystem::path& path);
 /// one. Separate from the rest because it depends on the up axis, which the command line may change.
 std::optional<CameraCourse> scene_file_camera(const SceneSource& source, UpAxis up, Warnings& warnings);
 
+/// A JSON object of render options by their names without dashes, as `settings` of a scene JSON. Throws Error(input).
+std::vector<std::pair<std::string, std::string>> read_settings_file(const std::filesystem::path& path);
+
 }  // namespace hybridrt

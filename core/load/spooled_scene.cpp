@@ -57,7 +57,7 @@ SceneSource read_scene_from_standard_input(MeshFormat format) {
   if (copy_standard_input(path) == 0)
     throw error(ErrorKind::input, "-: standard input is empty; pipe a mesh into it, or name a file");
   SceneSource source;
-  source.argument = "-";
+  source.argument = std::string("-");
   source.meshes = {path};
   source.names_begin_in = fs::current_path();
   source.kept_file = folder;

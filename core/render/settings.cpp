@@ -33,10 +33,13 @@ PixelRect kept_of_rendered(const RenderSettings& s) {
   return {picture.x_px - rendered.x_px, picture.y_px - rendered.y_px, picture.width_px, picture.height_px};
 }
 
+bool method_takes(Method method, ShadowMode shadows) {
+  return method == Method::hybrid || shadows == ShadowMode::none ||
+         shadows == (method == Method::raster ? ShadowMode::map : ShadowMode::rays);
+}
+
 void require_method_takes(Method method, ShadowMode shadows) {
-  const bool takes = method == Method::hybrid || shadows == ShadowMode::none ||
-                     shadows == (method == Method::raster ? ShadowMode::map : ShadowMode::rays);
-  if (!takes)
+  if (!method_takes(method, shadows))
     throw error(ErrorKind::usage, "--method {} does not take --shadows {}; it takes {}", name_of(method),
                 name_of(shadows), method == Method::raster ? "none, map" : "none, rays");
 }

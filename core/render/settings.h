@@ -102,6 +102,9 @@ bool uses_shadow_map(const RenderSettings& settings);
 /// The place of the delivered part in the rendered one.
 PixelRect kept_of_rendered(const RenderSettings& settings);
 
+/// Whether the method supports the shadow mode (the table in README.md).
+bool method_takes(Method method, ShadowMode shadows);
+
 /// Throws Error(usage) unless the method supports the shadow mode (the table in README.md).
 void require_method_takes(Method method, ShadowMode shadows);
 
