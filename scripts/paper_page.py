@@ -100,8 +100,8 @@ def claims(out):
          "pass 4 takes " + number(share_of_pass_4(chosen(cpu, reflection_percent="0")), "{:.0f}") + " % at 0, "
          + number(share_of_pass_4(chosen(cpu, reflection_percent="100")), "{:.0f}") + " % at 100 % mirrors"),
         ("Figure 7: two threads against one, on two processors", "2.0 × as fast",
-         number(ratio(frame_ms(threads, gl="egl", threads="1"), frame_ms(threads, gl="egl", threads="2")), "{:.2f}") + " ×",
-         number(ratio(frame_ms(threads, gl="off", threads="1"), frame_ms(threads, gl="off", threads="2")), "{:.2f}") + " ×"),
+         number(ratio(*(frame_ms(rows_of(out / f"threads-gl-{n}")) for n in (1, 2))), "{:.2f}") + " ×",
+         number(ratio(*(frame_ms(threads, threads=n) for n in ("1", "2"))), "{:.2f}") + " ×"),
         ("Section 5.4: SIMD against none", "at least 10 % faster", "not told apart",
          f"AVX-512 against SSE4: {number(simd[0], '{:.2f}')} × (balls), {number(simd[1], '{:.2f}')} × (thin)"),
         ("Figure 8: shadow map alone", "7 fps, with artefacts", shadow_cell("map"), "as OpenGL's"),

@@ -26,7 +26,10 @@ sweep "$balls" --preset paper --gl egl --frames 1-2 -o "$out/reflection-gl"
 sweep "$balls" --preset paper --gl off --shadows exact --frames 1-2 -o "$out/reflection-cpu"
 
 # Figure 7: threads.
-sweep "$balls" --over threads=1,2 --over gl=egl,off --shadows exact --frames 1-4 --truth-samples 0 -o "$out/threads"
+sweep "$balls" --over threads=1,2 --gl off --shadows exact --frames 1-4 --truth-samples 0 -o "$out/threads"
+for n in 1 2; do # a software GL keeps its threads
+  sweep "$balls" --over gl=egl --threads "$n" --shadows exact --frames 1-4 --truth-samples 0 -o "$out/threads-gl-$n"
+done
 
 # Figures 8 and 9: shadows without and with refinement, and what the kernel buys.
 sweep scene:thin,triangles=500k --over shadows=map,blur,exact --gl egl --frames 1-2 --truth-samples 1 -o "$out/shadows"

@@ -148,13 +148,26 @@ class Sweep {
     ThreadPool& pool = pool_for(setting);
     set_job(scene, setting, pool, warnings);
     tell(warnings);
+    require_gl_threads(scene.job);
     std::vector<AccuracyCells> accuracy = rows_.accuracy_of(setting.number);
     if (accuracy.empty()) accuracy = find_accuracy(scene.job, setting, pool);
     const Visit visit = measure(scene.job, pool);
     if (stop_requested()) return;
-    if (visit.facts.gl) facts_.set_gl_renderer(visit.facts.gl->renderer);
+    if (visit.facts.gl) {
+      facts_.set_gl_renderer(visit.facts.gl->renderer);
+      if (visit.facts.gl->software) software_gl_threads_ = pool.size();
+    }
     rows_.add({setting, request_.axes, scene.job, scene.load_ms, pool.size()}, round, visit, accuracy);
     progress_.frame_done();
+  }
+
+  /// A software GL starts its threads once per process.
+  void require_gl_threads(const RenderJob& job) const {
+    if (uses_gl(job.settings) && software_gl_threads_.value_or(pool_->size()) != pool_->size())
+      throw error(ErrorKind::usage,
+                  "a software OpenGL keeps the {} threads that it began with; give each number of threads a sweep of "
+                  "its own, by --threads",
+                  *software_gl_threads_);
   }
 
   /// Renders the frames once more than for their times, with the AOVs that tell where shadows and ids are wrong, and
@@ -198,6 +211,7 @@ class Sweep {
   TruthStore truths_;
   Progress progress_;
   std::unique_ptr<ThreadPool> pool_;
+  std::optional<int> software_gl_threads_;
   std::set<std::string> told_;
   std::set<int> failed_;
 };
