@@ -1,6 +1,7 @@
 #include "cli/sweep/truth.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <span>
@@ -36,21 +37,22 @@ std::vector<uint64_t> truth_keys(const RenderJob& job, int samples) {
   return keys;
 }
 
-/// The last number in a file's name: 7 of car.0007.png.
-std::optional<long> last_number(const std::string& stem) {
+/// Whether the last number in a file's name is the frame's: 7 of car.0007.
+bool names_frame(const std::string& stem, int frame) {
   const size_t end = stem.find_last_of("0123456789");
-  if (end == stem.npos) return std::nullopt;
+  if (end == stem.npos) return false;
   const size_t before = stem.find_last_not_of("0123456789", end);
-  const std::string digits =
-      stem.substr(before == stem.npos ? 0 : before + 1, end - (before == stem.npos ? -1 : before));
-  return digits.size() > 9 ? std::nullopt : std::optional(std::stol(digits));
+  const size_t start = before == stem.npos ? 0 : before + 1;
+  int number = 0;
+  const auto read = std::from_chars(&stem[start], &stem[end] + 1, number);
+  return read.ec == std::errc{} && number == frame;
 }
 
 fs::path file_of_frame(const fs::path& folder, int frame) {
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (entry.is_regular_file() && can_write_format(entry.path().string()) &&
-        last_number(entry.path().stem().string()) == frame)
+        names_frame(entry.path().stem().string(), frame))
       found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   if (found.empty())

@@ -9,16 +9,16 @@
 namespace hybridrt::cli {
 
 Goal parse_goal(const std::string& text) {
-  static constexpr std::pair<std::string_view, Goal::Unit> kUnits[] = {{"dB", Goal::Unit::decibel},
-                                                                       {"%", Goal::Unit::percent_off},
-                                                                       {"wrong", Goal::Unit::wrong_pixels}};
+  static constexpr std::pair<std::string_view, Goal::Unit> kUnits[] = {
+      {"dB", Goal::Unit::decibel}, {"%", Goal::Unit::percent_off}, {"wrong", Goal::Unit::wrong_pixels}};
   for (const auto& [suffix, unit] : kUnits) {
     if (!text.ends_with(suffix)) continue;
     const auto number = parse_number(std::string_view(text).substr(0, text.size() - suffix.size()));
     if (number && *number >= 0 && *number < 1e9) return {unit, *number};
   }
   throw error(ErrorKind::usage,
-              "--max-error {}: write 45dB (PSNR), 0.1% (of the pixels off by more than 2/255) or 10wrong (pixels)", text);
+              "--max-error {}: write 45dB (PSNR), 0.1% (of the pixels off by more than 2/255) or 10wrong (pixels)",
+              text);
 }
 
 double error_of(const Goal& goal, const Accuracy& accuracy, size_t pixels) {

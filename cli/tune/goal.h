@@ -9,9 +9,9 @@ namespace hybridrt::cli {
 /// How good frames must be.
 struct Goal {
   enum class Unit {
-    decibel,        ///< PSNR, at least
-    percent_off,    ///< of the pixels, off by more than 2/255 in a channel, at most
-    wrong_pixels,   ///< with another triangle or a wrong shadow at their centre, at most
+    decibel,       ///< PSNR, at least
+    percent_off,   ///< of the pixels, off by more than 2/255 in a channel, at most
+    wrong_pixels,  ///< with another triangle or a wrong shadow at their centre, at most
   };
   Unit unit = Unit::decibel;
   double limit = 0;

@@ -69,7 +69,8 @@ std::vector<Choice> methods_that_meet(Trials& trials, const Goal& goal, const Ch
     for (const auto& shadows : kShadowModes) {
       if (method.value == Method::reference || !method_takes(method.value, shadows.value)) continue;
       if (goal.one_sample() && shadows.value == ShadowMode::none) continue;  // all of its shadows are wrong
-      const Choice choice = with(with(coarsest, "method", std::string(method.name)), "shadows", std::string(shadows.name));
+      const Choice choice =
+          with(with(coarsest, "method", std::string(method.name)), "shadows", std::string(shadows.name));
       if (shadows.value == ShadowMode::map || shadows.value == ShadowMode::blur) {
         if (const auto found = smallest_map(trials, goal, choice, shadows.value == ShadowMode::blur))
           meeting.push_back(*found);
@@ -89,9 +90,8 @@ Choice fastest(Trials& trials, const Goal& goal, const std::vector<Choice>& choi
   double least_ms = INFINITY;
   for (const Choice& choice : meeting) least_ms = std::min(least_ms, trials.ms(choice));
   std::erase_if(meeting, [&](const Choice& choice) { return trials.ms(choice) > kAlike * least_ms; });
-  return *std::min_element(meeting.begin(), meeting.end(), [&](const Choice& a, const Choice& b) {
-    return trials.error(a) < trials.error(b);
-  });
+  return *std::min_element(meeting.begin(), meeting.end(),
+                           [&](const Choice& a, const Choice& b) { return trials.error(a) < trials.error(b); });
 }
 
 }  // namespace

@@ -89,8 +89,7 @@ double Trials::worst_error() {
   stop_if_asked();
   double worst = -INFINITY;
   for (size_t i = 0; i < frames.size(); ++i)
-    worst =
-        std::max(worst, error_of(goal_, measure_accuracy(frames[i], truths[i]), frames[i].picture.pixel_count()));
+    worst = std::max(worst, error_of(goal_, measure_accuracy(frames[i], truths[i]), frames[i].picture.pixel_count()));
   return worst;
 }
 

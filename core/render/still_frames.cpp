@@ -31,7 +31,7 @@ Frame repeat(const Frame& frame, int number) {
 
 struct Sequence {
   NextFrame next;
-  std::optional<FrameRequest> ahead;     ///< asked for already
+  std::optional<FrameRequest> ahead;  ///< asked for already
   bool started = false;
   std::deque<std::vector<int>> repeats;  ///< for each frame under way, the numbers that show the same
 };
