@@ -49,50 +49,62 @@ ExitCode help_of(const CLI::App& app, const std::string& command) {
   return ExitCode::ok;
 }
 
-ExitCode run(int argc, char** argv) {
-  CLI::App app{"hybridrt: headless hybrid CPU-GPU renderer of frame sequences", "hybridrt"};
+/// What the command line asks for, after parsing.
+struct Asked {
+  Command command;
+  bool version = false, as_json = false;
+};
+
+void add_commands(CLI::App& app, const std::vector<std::string>& command_line, Asked& asked) {
   app.formatter(std::make_shared<HelpFormatter>());
   app.footer(
       "'hybridrt COMMAND --help' tells more. Examples:\n"
       "  hybridrt render scene:chess\n"
       "  hybridrt inspect car.obj");
   app.require_subcommand(0, 1);
-  Command chosen;
-  bool version = false, as_json = false;
-  app.add_flag("--version", version, "Version, commit, compiler, libraries, GL renderer");
-  app.add_flag("--json", as_json, "With --version: as one JSON object");
-  const std::vector<std::string> command_line(argv, argv + argc);
-  add_render_command(app, command_line, chosen);
-  add_sweep_command(app, command_line, chosen);
-  add_report_command(app, chosen);
-  add_tune_command(app, chosen);
-  add_compare_command(app, chosen);
-  add_golden_command(app, chosen);
-  add_scene_command(app, chosen);
-  add_inspect_command(app, chosen);
-  add_doctor_command(app, chosen);
+  app.add_flag("--version", asked.version, "Version, commit, compiler, libraries, GL renderer");
+  app.add_flag("--json", asked.as_json, "With --version: as one JSON object");
+  add_render_command(app, command_line, asked.command);
+  add_sweep_command(app, command_line, asked.command);
+  add_report_command(app, asked.command);
+  add_tune_command(app, asked.command);
+  add_compare_command(app, asked.command);
+  add_golden_command(app, asked.command);
+  add_scene_command(app, asked.command);
+  add_inspect_command(app, asked.command);
+  add_doctor_command(app, asked.command);
+}
 
+/// Throws what the command throws.
+ExitCode parse_and_run(CLI::App& app, int argc, char** argv, const Asked& asked) {
+  if (argc <= 1) {
+    say(app.help());
+    return ExitCode::usage;
+  }
+  if (std::string_view(argv[1]) == "help") return help_of(app, argc > 2 ? argv[2] : "");
+  bool help = false;
   try {
-    if (argc <= 1) {
-      say(app.help());
-      return ExitCode::usage;
-    }
-    if (std::string_view(argv[1]) == "help") return help_of(app, argc > 2 ? argv[2] : "");
-    bool help = false;
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-      help = true;
-    }
-    ExitCode code = ExitCode::ok;
-    if (help)
-      fmt::print("{}", app.help());
-    else if (chosen)
-      code = chosen();
-    else if (version)
-      code = print_version(as_json);
-    flush_output();
-    return code;
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    help = true;
+  }
+  ExitCode code = ExitCode::ok;
+  if (help)
+    fmt::print("{}", app.help());
+  else if (asked.command)
+    code = asked.command();
+  else if (asked.version)
+    code = print_version(asked.as_json);
+  flush_output();
+  return code;
+}
+
+ExitCode run(int argc, char** argv) {
+  CLI::App app{"hybridrt: headless hybrid CPU-GPU renderer of frame sequences", "hybridrt"};
+  Asked asked;
+  add_commands(app, std::vector<std::string>(argv, argv + argc), asked);
+  try {
+    return parse_and_run(app, argc, argv, asked);
   } catch (const CLI::ParseError& parse_error) {
     return fail(ExitCode::usage, parse_message(app, parse_error));
   } catch (const Error& wrong_world) {
