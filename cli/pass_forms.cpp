@@ -1,7 +1,6 @@
 #include "cli/pass_forms.h"
 
 #include "core/base/error.h"
-#include "core/render/tile_renderer.h"
 
 namespace hybridrt::cli {
 
@@ -13,16 +12,12 @@ ChosenForms choose_forms(const RenderOptions& o, const RenderSettings& settings)
     throw error(ErrorKind::usage, "--gl off uses no GL device, but {} asks for one",
                 o.gl.device.empty() ? "--require-hardware" : "--device");
   if (!uses_gl(settings)) return chosen;
-  if (o.gl_use == GlUse::off && !has_cpu_forms(settings))
-    throw error(ErrorKind::usage,
-                "--gl off has no shadow maps yet: use --shadows exact, rays or none, or --gl egl for {}",
-                name_of(settings.shadows));
   if (o.gl_use == GlUse::egl) chosen.gl.binding = gl::Binding::egl;
   if (o.gl_use == GlUse::osmesa) chosen.gl.binding = gl::Binding::osmesa;
   if (o.gl_use == GlUse::off) chosen.forms = PassForms::cpu;
   if (o.gl_use != GlUse::automatic || asks_gl) return chosen;
 
-  if (!has_cpu_forms(settings) || gl::lists_hardware()) return chosen;
+  if (gl::lists_hardware()) return chosen;
   chosen.forms = PassForms::cpu;
   chosen.reason = "no GPU; --gl egl draws passes 1, 2, 3 and 5 on Mesa";
   return chosen;

@@ -1,7 +1,6 @@
 #include "core/passes_gl/id_buffer.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
+#include "core/passes/shadow_warp.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
@@ -48,18 +47,19 @@ void ShadowTestPass::run(const In& in, const Out& out) const {
 
   program_.use();
   view_.set(in.view);
-  map_from_eye_.set(mat4(in.fit.map_from_origin * glm::translate(dmat4(1), in.view.eye - in.fit.origin)));
-  inverse_w_slope_.set(static_cast<float>(in.fit.inverse_w_slope));
-  texel_across_.set(static_cast<float>(in.fit.texel_across));
-  texel_along_.set(static_cast<float>(in.fit.texel_along));
+  map_from_eye_.set(map_from_eye(in.fit, in.view.eye));
   to_light_.set(vec3(in.to_light));
-  across_.set(vec3(in.fit.across));
-  along_.set(vec3(in.fit.along));
-  uniform_texel_.set(static_cast<float>(in.fit.uniform_texel));
-  misplacement_.set(static_cast<float>(in.fit.misplacement));
-  lean_first_.set(static_cast<float>(in.fit.lean_first));
-  lean_step_.set(static_cast<float>(in.fit.lean_step));
-  warped_.set(in.fit.warped);
+  const shadow_warp_single::MapFit fit = map_fit_of(in.fit);
+  inverse_w_slope_.set(fit.inverse_w_slope);
+  texel_across_.set(fit.texel_across);
+  texel_along_.set(fit.texel_along);
+  uniform_texel_.set(fit.uniform_texel);
+  misplacement_.set(fit.misplacement);
+  lean_first_.set(fit.lean_first);
+  lean_step_.set(fit.lean_step);
+  warped_.set(fit.warped);
+  across_.set(fit.across);
+  along_.set(fit.along);
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl.DispatchCompute(group_count(in.view.width_px), group_count(in.view.height_px), 1);
   gl::throw_on_error(gl, "pass 2, shadow test");

@@ -52,14 +52,14 @@ struct ShadowTestPass {
   gl::Program program_;
   ViewUniforms view_{program_};
   gl::Uniform<vec3> to_light_{program_, "to_light"};
-  // As in ShadowMapFit.
   gl::Uniform<mat4> map_from_eye_{program_, "map_from_eye"};
-  gl::Uniform<vec3> across_{program_, "across"}, along_{program_, "along"};
-  gl::Uniform<float> inverse_w_slope_{program_, "inverse_w_slope"};
-  gl::Uniform<float> texel_across_{program_, "texel_across"}, texel_along_{program_, "texel_along"};
-  gl::Uniform<float> uniform_texel_{program_, "uniform_texel"}, misplacement_{program_, "misplacement"};
-  gl::Uniform<float> lean_first_{program_, "lean_first"}, lean_step_{program_, "lean_step"};
-  gl::Uniform<int> warped_{program_, "warped"};
+  // As in ShadowMapFit.
+  gl::Uniform<vec3> across_{program_, "fit.across"}, along_{program_, "fit.along"};
+  gl::Uniform<float> inverse_w_slope_{program_, "fit.inverse_w_slope"};
+  gl::Uniform<float> texel_across_{program_, "fit.texel_across"}, texel_along_{program_, "fit.texel_along"};
+  gl::Uniform<float> uniform_texel_{program_, "fit.uniform_texel"}, misplacement_{program_, "fit.misplacement"};
+  gl::Uniform<float> lean_first_{program_, "fit.lean_first"}, lean_step_{program_, "fit.lean_step"};
+  gl::Uniform<int> warped_{program_, "fit.warped"};
 };
 
 }  // namespace hybridrt

@@ -5,6 +5,7 @@
 #include "core/mesh/reflective_share.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/gl_renderer.h"
+#include "core/render/mapped_renderer.h"
 #include "core/render/samples.h"
 #include "core/render/still_frames.h"
 #include "core/render/tile_renderer.h"
@@ -71,7 +72,8 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
     const bool rays_needed = needs_caster(job.facts, job.settings, lights_move(job.lights, job.motion));
     const RayCaster<float>* const rays = rays_needed ? &caster() : nullptr;
     ready();
-    render_tiles(job.scene, job.facts, job.topology, job.settings, rays, pool, next, deliver);
+    const auto& render = uses_shadow_map(job.settings) ? render_mapped : render_tiles;
+    render(job.scene, job.facts, job.topology, job.settings, rays, pool, next, deliver);
   } else {
     const std::unique_ptr<gl::Context> context = gl::open_context(job.gl);
     facts.gl = context->info();

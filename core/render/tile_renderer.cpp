@@ -42,12 +42,10 @@ void set_timings(FrameTimings& timings, const PassTimes& threads_ms, double wall
 
 }  // namespace
 
-bool has_cpu_forms(const RenderSettings& settings) { return !uses_shadow_map(settings); }
-
 void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
                   const RayCaster<float>* caster, ThreadPool& pool, const NextFrame& next,
                   const DeliverFrame& deliver) {
-  HRT_CHECK(has_cpu_forms(settings));
+  HRT_CHECK(!uses_shadow_map(settings));
   const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
   HRT_CHECK(part.width_px == kept.width_px && part.height_px == kept.height_px);
   const Clusters clusters = make_clusters(scene, pool);

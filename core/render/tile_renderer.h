@@ -7,13 +7,10 @@
 
 namespace hybridrt {
 
-/// Whether the CPU has forms of all passes that these settings need.
-bool has_cpu_forms(const RenderSettings& settings);
-
-/// The paper's five passes over a sequence without any GL: a tile of the picture goes through ids, shadow queries, rays
-/// and shading on one thread while its data is in the cache. The picture is the GL form's, up to rounding; where the
-/// settings repair the GL form's ids, the ids are the same. `caster` may be null if !needs_caster(). All arguments must
-/// outlive the call.
+/// The paper's five passes over a sequence without any GL, for settings without shadow maps: a tile of the picture goes
+/// through ids, shadow queries, rays and shading on one thread while its data is in the cache. The picture is the GL
+/// form's, up to rounding; where the settings repair the GL form's ids, the ids are the same. `caster` may be null if
+/// !needs_caster(). All arguments must outlive the call.
 void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
                   const RayCaster<float>* caster, ThreadPool& pool, const NextFrame& next, const DeliverFrame& deliver);
 

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "core/gl/program.h"
+#include "core/passes/shadow_warp.h"
 #include "core/trace/surface.h"
 #include "tests/gl/gl_test.h"
-#include "tests/support/shadow_warp.h"
 
 namespace hybridrt {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/passes/receiver_hull.h"
-#include "tests/support/shadow_warp.h"
+#include "core/passes/shadow_warp.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
