@@ -1,68 +1,130 @@
 #include "core/passes_cpu/shadow_map.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/check.h"
+#include "core/raster/clusters.h"
 #include "core/trace/holes.h"
 
+// clang-format off: the order matters
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/passes_cpu/shadow_map.cpp"
+#include <hwy/foreach_target.h>  // includes this file once for each instruction set
+#include <hwy/highway.h>
+
+#include "core/raster/lanes-inl.h"
+// clang-format on
+
+#ifndef HYBRIDRT_SHADOW_MAP_TILE
+#define HYBRIDRT_SHADOW_MAP_TILE
 namespace hybridrt {
 namespace {
 
-constexpr int kTile_px = 128;         // its depths fit the second-level cache
-constexpr int kTestedByTexel_px = 8;  // rows up to this length are tested texel by texel
+constexpr int kTile_px = 128;                           // its depths fit the second-level cache
+constexpr int kTileStride = kTile_px + kLongestVector;  // vectors may reach over the right edge
 
-/// A part of the map: its depths in rows of kTile_px.
+/// A part of the map and its depths.
 struct MapTile {
   TexelBox box;
-  std::span<float> depth;
-  float* row(int y) const { return &depth[static_cast<size_t>(y - box.y0) * kTile_px]; }
+  float* depth;
+  float* at(int x, int y) const { return depth + static_cast<size_t>(y - box.y0) * kTileStride + (x - box.x0); }
 };
 
-bool covers(const MapTriangle& t, double x, double y) {
-  return t.edge[0].at(x, y) >= 0 && t.edge[1].at(x, y) >= 0 && t.edge[2].at(x, y) >= 0;
+/// A triangle within a tile, in single precision: planes from the centre of the box's first texel on.
+struct TileTriangle {
+  TexelBox box;
+  float edge[3][3], depth[3];  ///< a, b, c
+};
+
+TileTriangle in_tile(const MapTriangle& t, const MapTile& tile) {
+  TileTriangle in;
+  in.box = {std::max(t.box.x0, tile.box.x0), std::max(t.box.y0, tile.box.y0), std::min(t.box.x1, tile.box.x1),
+            std::min(t.box.y1, tile.box.y1)};
+  const auto keep = [&](const MapPlane& plane, double more, float(&to)[3]) {
+    to[0] = static_cast<float>(plane.a), to[1] = static_cast<float>(plane.b);
+    to[2] = static_cast<float>(plane.at(in.box.x0 + 0.5, in.box.y0 + 0.5) + more);
+  };
+  for (int i = 0; i < 3; ++i) keep(t.edge[i], kReach_px, in.edge[i]);
+  keep(t.depth, 0, in.depth);
+  return in;
 }
 
-/// Narrows texels [first, last] of the row at `y` to those that the edges may leave.
-void narrow_row(const MapTriangle& t, double y, int& first, int& last) {
-  double lo = first, hi = last;
-  for (const MapPlane& edge : t.edge) {
-    const double rest = edge.b * y + edge.c;
-    if (edge.a > 0) lo = std::max(lo, std::floor(-rest / edge.a - 0.5));
-    if (edge.a < 0) hi = std::min(hi, std::ceil(-rest / edge.a - 0.5));
-    if (edge.a == 0 && rest < 0) hi = lo - 1;
-  }
-  first = static_cast<int>(std::min<double>(lo, last + 1)), last = static_cast<int>(std::max<double>(hi, first - 1));
+/// Texel by texel, as each asks the texture.
+void draw_with_holes(const Scene& scene, const MapTriangle& t, uint32_t triangle, const MapTile& tile) {
+  const TexelBox box = in_tile(t, tile).box;
+  for (int row = box.y0; row <= box.y1; ++row)
+    for (int column = box.x0; column <= box.x1; ++column) {
+      const double x = column + 0.5, y = row + 0.5;
+      const dvec3 inside(t.edge[0].at(x, y), t.edge[1].at(x, y), t.edge[2].at(x, y));
+      if (!(std::min({inside.x, inside.y, inside.z}) >= -kReach_px)) continue;
+      const dvec3 weights = glm::max(inside, dvec3(0)) * dvec3(t.weight[0], t.weight[1], t.weight[2]);
+      const double sum = weights.x + weights.y + weights.z;
+      if (is_hole(*scene.textures, triangle, weights.y / sum, weights.z / sum)) continue;
+      const auto here = static_cast<float>(std::max(t.nearest, std::min(t.farthest, t.depth.at(x, y))));
+      float& depth = *tile.at(column, row);
+      depth = std::min(depth, here);
+    }
 }
 
-/// Whether the triangle has a hole at a place that it covers.
-bool has_hole_at(const Scene& scene, const MapTriangle& t, uint32_t triangle, double x, double y) {
-  const dvec3 weights(t.edge[0].at(x, y) * t.inverse_w[0], t.edge[1].at(x, y) * t.inverse_w[1],
-                      t.edge[2].at(x, y) * t.inverse_w[2]);
-  const double sum = weights.x + weights.y + weights.z;
-  return sum > 0 && is_hole(*scene.textures, triangle, weights.y / sum, weights.z / sum);
+bool has_holes(const Scene& scene, uint32_t triangle) {
+  return scene.has_holes() && scene.textures->has_holes(scene.textures->triangle_maps[triangle]);
 }
 
-void draw_triangle(const Scene& scene, const MapTriangle& t, uint32_t triangle, const MapTile& tile) {
-  const bool holes = scene.has_holes() && scene.textures->has_holes(scene.textures->triangle_maps[triangle]);
-  const int x0 = std::max(t.box.x0, tile.box.x0), x1 = std::min(t.box.x1, tile.box.x1);
-  const int y0 = std::max(t.box.y0, tile.box.y0), y1 = std::min(t.box.y1, tile.box.y1);
-  for (int row = y0; row <= y1; ++row) {
-    const double y = row + 0.5;
-    int first = x0, last = x1;
-    if (last - first >= kTestedByTexel_px) narrow_row(t, y, first, last);
-    while (first <= last && !covers(t, first + 0.5, y)) ++first;
-    while (first <= last && !covers(t, last + 0.5, y)) --last;  // what lies between two covered texels is covered
-    const double row_depth = t.depth + t.slope_y * (y - t.y_px);
-    float* const depth = tile.row(row) - tile.box.x0;
-    for (int x = first; x <= last; ++x) {
-      if (holes && has_hole_at(scene, t, triangle, x + 0.5, y)) continue;
-      const double exact = row_depth + t.slope_x * (x + 0.5 - t.x_px);
-      const auto here = static_cast<float>(std::max(t.least_depth, std::min(t.most_depth, exact)));
-      depth[x] = here < depth[x] ? here : depth[x];
+}  // namespace
+}  // namespace hybridrt
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace hybridrt {
+namespace HWY_NAMESPACE {
+
+/// A row's texels are the lanes. Nothing is fused, and lanes count from the box's first texel: the same bits under
+/// every instruction set.
+void draw_triangle(const MapTriangle& t, const MapTile& tile) {
+  const TileTriangle in = in_tile(t, tile);
+  const Floats nearest = all(static_cast<float>(t.nearest)), farthest = all(static_cast<float>(t.farthest));
+  const auto along = [](const float(&plane)[3], Floats x, float row) {
+    return hn::Add(hn::Mul(all(plane[0]), x), all(row));
+  };
+  for (int y = in.box.y0; y <= in.box.y1; ++y) {
+    const auto row_of = [&](const float(&plane)[3]) { return plane[1] * static_cast<float>(y - in.box.y0) + plane[2]; };
+    const float row[] = {row_of(in.edge[0]), row_of(in.edge[1]), row_of(in.edge[2]), row_of(in.depth)};
+    float* const depth = tile.at(in.box.x0, y);
+    for (int i = 0; i <= in.box.x1 - in.box.x0; i += kLanes) {
+      const Floats x = hn::Add(lane_numbers(), all(static_cast<float>(i)));
+      const Floats inside =
+          hn::Min(hn::Min(along(in.edge[0], x, row[0]), along(in.edge[1], x, row[1])), along(in.edge[2], x, row[2]));
+      const Mask covered = hn::Ge(inside, hn::Zero(kFloats));
+      if (hn::AllFalse(kFloats, covered)) continue;
+      const Floats here = hn::Max(nearest, hn::Min(farthest, along(in.depth, x, row[3])));
+      const Floats before = load(depth + i);
+      store(depth + i, hn::IfThenElse(covered, hn::Min(here, before), before));
     }
   }
 }
+
+void draw_items(const Scene& scene, const MapProjection& map, std::span<const MapCorner> corners,
+                std::span<const MapItem> items, const MapTile& tile) {
+  for (const MapItem& item : items) {
+    const auto t = triangle_on_map(scene, map, corners, item.triangle, item.box);
+    if (!t) continue;
+    if (has_holes(scene, item.triangle))
+      draw_with_holes(scene, *t, item.triangle, tile);
+    else
+      draw_triangle(*t, tile);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hybridrt
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hybridrt {
+
+HWY_EXPORT(draw_items);
+
+namespace {
 
 int tiles_across(int size_px) { return (size_px + kTile_px - 1) / kTile_px; }
 
@@ -78,7 +140,7 @@ void bin_triangles(const Scene& scene, const MapProjection& map, ThreadPool& poo
   memory.bins.resize(pool.size());
   for (auto& worker : memory.bins) {
     worker.resize(static_cast<size_t>(across) * across);
-    for (std::vector<uint32_t>& tile : worker) tile.clear();
+    for (std::vector<MapItem>& tile : worker) tile.clear();
   }
   constexpr size_t kChunk = 4096;
   const size_t count = scene.triangle_count();
@@ -86,10 +148,10 @@ void bin_triangles(const Scene& scene, const MapProjection& map, ThreadPool& poo
     const auto end = static_cast<uint32_t>(std::min(count, (chunk + 1) * kChunk));
     for (auto triangle = static_cast<uint32_t>(chunk * kChunk); triangle < end; ++triangle) {
       const TexelBox box = box_on_map(scene, map, memory.corners, triangle);
-      if (box.x0 > box.x1 || box.y0 > box.y1) continue;
+      if (box.empty()) continue;
       for (int y = box.y0 / kTile_px; y <= box.y1 / kTile_px; ++y)
         for (int x = box.x0 / kTile_px; x <= box.x1 / kTile_px; ++x)
-          memory.bins[worker][static_cast<size_t>(y) * across + x].push_back(triangle);
+          memory.bins[worker][static_cast<size_t>(y) * across + x].push_back({triangle, box});
     }
   });
 }
@@ -107,15 +169,15 @@ void draw_shadow_map(const Scene& scene, const ShadowMapFit& fit, int size_px, T
   pool.run(static_cast<size_t>(across) * across, [&](size_t number, int worker) {
     const int x0 = static_cast<int>(number) % across * kTile_px, y0 = static_cast<int>(number) / across * kTile_px;
     std::vector<float>& nearest = memory.tiles[worker];
-    nearest.assign(static_cast<size_t>(kTile_px) * kTile_px, 1.0f);
-    const MapTile tile{{x0, y0, std::min(x0 + kTile_px, size_px) - 1, std::min(y0 + kTile_px, size_px) - 1}, nearest};
+    nearest.assign(static_cast<size_t>(kTile_px) * kTileStride, 1.0f);
+    const MapTile tile{{x0, y0, std::min(x0 + kTile_px, size_px) - 1, std::min(y0 + kTile_px, size_px) - 1},
+                       nearest.data()};
     for (const auto& bins : memory.bins)
-      for (const uint32_t triangle : bins[number])
-        if (const auto t = triangle_on_map(scene, map, memory.corners, triangle))
-          draw_triangle(scene, *t, triangle, tile);
+      HWY_DYNAMIC_DISPATCH(draw_items)(scene, map, memory.corners, bins[number], tile);
     for (int y = tile.box.y0; y <= tile.box.y1; ++y)
-      std::copy_n(tile.row(y), tile.box.x1 - x0 + 1, &depth[static_cast<size_t>(y) * size_px + x0]);
+      std::copy_n(tile.at(x0, y), tile.box.x1 - x0 + 1, &depth[static_cast<size_t>(y) * size_px + x0]);
   });
 }
 
 }  // namespace hybridrt
+#endif  // HWY_ONCE

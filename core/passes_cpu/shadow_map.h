@@ -9,12 +9,17 @@
 
 namespace hybridrt {
 
+/// A triangle that may cover texels of a tile of the map.
+struct MapItem {
+  uint32_t triangle;
+  TexelBox box;  ///< of the map
+};
+
 /// What pass 1 keeps from map to map, to use its memory again.
 struct ShadowMapMemory {
-  std::vector<MapCorner> corners;  ///< of the scene's positions
-  /// Per thread and tile of the map the triangles that may cover a texel of it.
-  std::vector<std::vector<std::vector<uint32_t>>> bins;
-  std::vector<std::vector<float>> tiles;  ///< per thread the tile at hand
+  std::vector<MapCorner> corners;                       ///< of the scene's positions
+  std::vector<std::vector<std::vector<MapItem>>> bins;  ///< per thread and tile of the map
+  std::vector<std::vector<float>> tiles;                ///< per thread the tile at hand
 };
 
 /// Pass 1 on the CPU (paper, section 3.4): the depth of the nearest surface that the light sees, sampled at the texels'

@@ -21,11 +21,11 @@ struct MapProjection {
 struct MapCorner {
   double x_px = 0, y_px = 0;  ///< texels; texel (0, 0) is 0..1
   double depth = 0;           ///< z / w
-  double w = 0;               ///< under kLeastW the others mean nothing
+  double inverse_w = 0;       ///< 0: w is under kLeastW, and the others mean nothing
 };
 
-/// A map shows what has w >= 1 only. What lies behind the pole of its warp, where w < 0, must not be divided by w, and
-/// what lies just before it would be very far away.
+/// What lies behind the pole of the map's warp, where w < 0, must not be divided by w, and what lies just before it
+/// would be very far away. The map shows neither.
 inline constexpr double kLeastW = 0.5;
 
 MapCorner corner_on_map(const MapProjection& map, const vec3& position);
@@ -33,31 +33,33 @@ MapCorner corner_on_map(const MapProjection& map, const vec3& position);
 /// Texels of the map, inclusive; none if x0 > x1 or y0 > y1.
 struct TexelBox {
   int x0, y0, x1, y1;
+  bool empty() const { return x0 > x1 || y0 > y1; }
 };
 
-/// a x + b y + c
+/// a x + b y + c, of a place in texels.
 struct MapPlane {
   double a = 0, b = 0, c = 0;
   double at(double x, double y) const { return a * x + (b * y + c); }
 };
 
-/// A triangle as a map draws it: a texel is covered if its centre lies in the triangle or on its outline, so that what
-/// lies beside an edge belongs to one of its two triangles however it is rounded.
+/// A triangle as a map draws it. A texel is covered if its centre is nowhere more than kReach_px outside, so that
+/// single precision leaves no gap between neighbours. That is less than what GL snaps vertices by.
 struct MapTriangle {
-  MapPlane edge[3];          ///< >= 0 inside; opposite corner 0, 1, 2
-  double inverse_w[3];       ///< edge[i] * inverse_w[i] are in the ratio of the barycentric weights
-  double x_px, y_px, depth;  ///< of a point of its plane ...
-  double slope_x, slope_y;   ///< ... and how depth changes per texel
-  double least_depth, most_depth;
-  TexelBox box;  ///< of the map; what is covered lies in it
+  MapPlane edge[3];          ///< opposite corner 0, 1, 2: about how many texels inside; |a| + |b| = 1
+  double weight[3];          ///< edge[i] * weight[i] are in the ratio of the barycentric weights
+  MapPlane depth;            ///< z / w ...
+  double nearest, farthest;  ///< ... and its limits
+  TexelBox box;              ///< texels that it may cover
 };
+inline constexpr double kReach_px = 1.0 / 8192;
 
-/// The texels whose centres may lie in `triangle`.
+/// MapTriangle::box.
 TexelBox box_on_map(const Scene& scene, const MapProjection& map, std::span<const MapCorner> corners,
                     uint32_t triangle);
 
-/// Nothing for what covers no texel, degenerate or not finite. `corners`: of the scene's positions.
+/// `box` is its box_on_map(). Nothing for what is narrower than kReach_px as the light sees it (its neighbours reach
+/// over it) or not finite. `corners`: of the scene's positions.
 std::optional<MapTriangle> triangle_on_map(const Scene& scene, const MapProjection& map,
-                                           std::span<const MapCorner> corners, uint32_t triangle);
+                                           std::span<const MapCorner> corners, uint32_t triangle, const TexelBox& box);
 
 }  // namespace hybridrt
