@@ -80,12 +80,12 @@ class CpuForms : public testing::TestWithParam<FormsCase> {
       if (samples > 1) continue;  // AOVs are those of the first sample
       const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
       const bool other_triangle = gl_ids[i] != cpu_ids[i];
-      const bool shadow_edge = gl_lit[i] != cpu_lit[i] &&
-                               ((is_edge(gl_lit, width, x, y) && is_edge(cpu_lit, width, x, y)) ||
-                                is_edge(layer(truth, "shadow").values, width, x, y));
+      const bool shadow_edge =
+          gl_lit[i] != cpu_lit[i] && ((is_edge(gl_lit, width, x, y) && is_edge(cpu_lit, width, x, y)) ||
+                                      is_edge(layer(truth, "shadow").values, width, x, y));
       other_triangles += other_triangle, shadow_edges += shadow_edge && !other_triangle;
-      EXPECT_TRUE(other_triangle || shadow_edge) << what << ": " << x << ' ' << y << " is off by " << off << ", lit "
-                                                 << gl_lit[i] << " and " << cpu_lit[i];
+      EXPECT_TRUE(other_triangle || shadow_edge)
+          << what << ": " << x << ' ' << y << " is off by " << off << ", lit " << gl_lit[i] << " and " << cpu_lit[i];
     }
     EXPECT_LE(differ, pixels / 1000) << what;
     RecordProperty(what, fmt::format("{} of {} differ: {} see another triangle, {} at a shadow's edge", differ, pixels,
@@ -129,8 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
         FormsCase{"spheres_blur", kSpheres, ShadowMode::blur}, FormsCase{"thin_none", kThin, ShadowMode::none},
         FormsCase{"thin_map", kThin, ShadowMode::map}, FormsCase{"thin_blur", kThin, ShadowMode::blur},
         FormsCase{"still_life_map", kStillLife, ShadowMode::map},
-        FormsCase{"still_life_blur", kStillLife, ShadowMode::blur},
-        FormsCase{"holes_map", kFronds, ShadowMode::map}, FormsCase{"holes_blur", kFronds, ShadowMode::blur},
+        FormsCase{"still_life_blur", kStillLife, ShadowMode::blur}, FormsCase{"holes_map", kFronds, ShadowMode::map},
+        FormsCase{"holes_blur", kFronds, ShadowMode::blur},
         FormsCase{.name = "holes_raster", .scene = kFronds, .shadows = ShadowMode::map, .method = Method::raster},
         FormsCase{"uniform_map", kSpheres, ShadowMode::map, ShadowWarp::uniform},
         FormsCase{"uniform_blur", kThin, ShadowMode::blur, ShadowWarp::uniform},
@@ -140,10 +140,8 @@ INSTANTIATE_TEST_SUITE_P(
         FormsCase{.name = "lights_blur", .scene = kStillLife, .shadows = ShadowMode::blur, .lights = 3},
         FormsCase{.name = "coarse_map", .scene = kStillLife, .shadows = ShadowMode::map, .shadow_map_px = 200},
         FormsCase{.name = "samples_blur", .scene = kSpheres, .shadows = ShadowMode::blur, .samples = 3},
-        FormsCase{.name = "crop_blur",
-                  .scene = kSpheres,
-                  .shadows = ShadowMode::blur,
-                  .crop = PixelRect{140, 90, 230, 170}}),
+        FormsCase{
+            .name = "crop_blur", .scene = kSpheres, .shadows = ShadowMode::blur, .crop = PixelRect{140, 90, 230, 170}}),
     [](const auto& forms) { return forms.param.name; });
 
 }  // namespace
