@@ -47,12 +47,11 @@ ExitCode doctor(bool as_json) {
                  info.device, info.binding, info.renderer, info.version, info.max_texture_px);
     for (const gl::DeviceInfo& device : failed) fmt::print("- {:<12} unusable: {}\n", device.id, device.problem);
     if (!usable.empty())
-      fmt::print("\n{}\n",
-                 gl::lists_hardware()
-                     ? "* is used unless --gl or --device says otherwise"
-                     : "no GPU: all passes run on the CPU; --gl egl or osmesa, --device and shadow maps use *");
+      fmt::print("\n{}\n", gl::lists_hardware()
+                               ? "* is used unless --gl or --device says otherwise"
+                               : "no GPU: all passes run on the CPU; --gl egl or osmesa and --device use *");
     else
-      fmt::print("\nno usable OpenGL 4.5: all but shadow maps (--shadows map and blur) works without\n");
+      fmt::print("\nno usable OpenGL 4.5: all passes run on the CPU\n");
   }
   return usable.empty() ? ExitCode::device : ExitCode::ok;
 }

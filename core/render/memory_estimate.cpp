@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/memory.h"
+#include "core/raster/map_triangle.h"
 #include "core/trace/light_buffer.h"
 #include "shaders/shared.h"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr size_t kEmbreeBytesPerTriangle = 90, kKdTreeBytesPerTriangle = 62;
 constexpr size_t kClusterBytesPerTriangle = 26;       // of the CPU's rasteriser; measured: 20 to 25
 constexpr size_t kLightBufferBytesPerTriangle = 145;  // measured: 85 to 130, plus 13 for the sheets
+constexpr size_t kMapBytesPerTriangle = 40;           // drawing shadow maps on the CPU: tiles' lists
 
 size_t geometry_bytes(const Scene& scene) {
   return bytes_of(scene.positions) + bytes_of(scene.normals) + bytes_of(scene.triangle_positions) +
@@ -27,6 +29,10 @@ size_t rendered_pixels(const RenderSettings& s) {
   return static_cast<size_t>(part.width_px) * part.height_px;
 }
 
+size_t shadow_map_bytes(const RenderSettings& s, size_t lights) {
+  return lights * sizeof(float) * s.shadow_map_px * s.shadow_map_px;
+}
+
 /// The sizes follow the formats in GlRenderer and FrameSlot.
 size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t pixels = rendered_pixels(s);
@@ -34,17 +40,23 @@ size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t slot = 4 * 2 + lights * (2 + 1) + 16;  // ids and mask with their readbacks, lit, traced
   size_t bytes = pixels * (depth + picture + s.frames_in_flight * slot);
   if (uses_shadow_map(s)) {
-    bytes += lights * 4 * s.shadow_map_px * s.shadow_map_px;
+    bytes += shadow_map_bytes(s, lights);
     if (s.shadow_warp == ShadowWarp::lispsm && renders_part(s)) bytes += depth * s.width_px * s.height_px;
   }
   if (s.shadows == ShadowMode::blur) bytes += pixels * (lights + 2);  // the unmarked mask and row sums
   return bytes;
 }
 
-/// What passes 3 and 4 write in each slot, or the whole frame of render_on_cpu or render_tiles.
+/// What passes 3 and 4 write in each slot, or the whole frame of render_on_cpu, render_tiles or render_mapped.
 size_t cpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t lit = lights, traced = 16, ids = 4;
-  if (!uses_gl(s)) return rendered_pixels(s) * (traced + ids + lit);
+  if (!uses_gl(s)) {
+    size_t bytes = rendered_pixels(s) * (traced + ids + lit);
+    if (!uses_shadow_map(s)) return bytes;
+    bytes += rendered_pixels(s) * (lights + 2);  // the mask and the blur's sums
+    if (s.shadow_warp == ShadowWarp::lispsm && renders_part(s)) bytes += ids * s.width_px * s.height_px;
+    return bytes + shadow_map_bytes(s, lights);
+  }
   size_t slot = lit + traced;
   if (s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays) slot += ids;  // repaired
   constexpr size_t kMarked = sizeof(ShadowQuery) / 4;  // queries left to pass 4: one pixel in four
@@ -82,6 +94,8 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
   const bool kd_tree = s.accel == Accel::kdtree || s.method == Method::reference;
   const bool on_cpu = s.forms == PassForms::cpu && (s.method == Method::hybrid || s.method == Method::raster);
   if (on_cpu || repairs_ids(s)) estimate.accelerator = scene.triangle_count() * kClusterBytesPerTriangle;
+  if (on_cpu && uses_shadow_map(s))
+    estimate.accelerator += scene.positions.size() * sizeof(MapCorner) + scene.triangle_count() * kMapBytesPerTriangle;
   if (needs_caster(facts, s, light_moves))
     estimate.accelerator += scene.triangle_count() * (kd_tree ? kKdTreeBytesPerTriangle : kEmbreeBytesPerTriangle);
   const bool scatters = s.reflection_depth > 0 && !facts.scattering_bounds.empty();

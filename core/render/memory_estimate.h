@@ -16,7 +16,7 @@ struct MemoryEstimate {
   size_t gpu_frames = 0;   ///< textures and readback buffers of all frames in flight, and the shadow maps
   size_t frames = 0;       ///< what the CPU keeps of them
   size_t pictures = 0;     ///< pictures that wait to be written, at most
-  size_t accelerator = 0;  ///< structures for rays, light buffers included; rough; 0 if no frame can need any
+  size_t accelerator = 0;  ///< structures for rays and the CPU's rasterisers, light buffers included; rough
 
   size_t total() const { return scene + topology + gpu_scene + gpu_frames + frames + pictures + accelerator; }
 };

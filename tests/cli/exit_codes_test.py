@@ -167,8 +167,11 @@ class DeviceTest(CliTestCase):
     def test_off_contradicts_what_asks_for_a_gl(self):
         self.fail_with(2, "render", SCENE, "--gl", "off", "--device", "egl:0", says=("--gl off", "--device"))
         self.fail_with(2, "render", SCENE, "--gl", "off", "--require-hardware", says="--require-hardware")
-        self.fail_with(2, "render", SCENE, "--gl", "off", "--shadows", "map", says=("map", "--gl egl"))
         self.refuse("--require-hardware", env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"}, says="tried")
+
+    def test_no_shadow_mode_needs_a_gl(self):
+        for shadows in ("none", "map", "blur", "exact", "rays"):
+            self.render("--shadows", shadows, "--gl", "off", env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"})
 
     def test_raytracing_needs_no_gl(self):
         self.render("--method", "raytrace", env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"})

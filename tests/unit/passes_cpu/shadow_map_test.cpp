@@ -178,7 +178,8 @@ Scene sheet(int cells, float jitter) {
   std::vector<vec3> corners;
   for (int y = 0; y <= cells; ++y)
     for (int x = 0; x <= cells; ++x)
-      corners.push_back(vec3(x + random.between(-jitter, jitter), y + random.between(-jitter, jitter), 0) / float(cells));
+      corners.push_back(vec3(x + random.between(-jitter, jitter), y + random.between(-jitter, jitter), 0) /
+                        float(cells));
   const auto at = [&](int x, int y) { return corners[static_cast<size_t>(y) * (cells + 1) + x]; };
   Scene scene;
   for (int y = 0; y < cells; ++y)

@@ -64,10 +64,10 @@ size_t differing(const std::vector<float>& a, const std::vector<float>& b) {
 // A map is wrong along shadows' edges; the blur finds most of that.
 TEST(MappedRenderer, ShadowsAreNearlyThoseOfRays) {
   for (const Scene& scene : {textured_room(), [] {
-         ThreadPool pool(2);
-         Warnings warnings;
-         return load_scene(kSpheres, pool, warnings);
-       }()}) {
+                               ThreadPool pool(2);
+                               Warnings warnings;
+                               return load_scene(kSpheres, pool, warnings);
+                             }()}) {
     RenderJob job = job_of(scene, ShadowMode::rays);
     job.settings.method = Method::reference;
     const Frame truth = frames_of(job).at(0);

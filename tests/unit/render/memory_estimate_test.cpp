@@ -40,6 +40,28 @@ TEST(FrameMemory, GrowsWithLights) {
   EXPECT_EQ(accelerator(3) - accelerator(2), accelerator(1) - accelerator(0));
 }
 
+// Its maps are the GL form's, and drawing them takes lists of triangles.
+TEST(FrameMemory, ShadowMapsOfTheCpuCount) {
+  RenderSettings settings;
+  settings.forms = PassForms::cpu;
+  settings.shadows = ShadowMode::map;
+  const size_t pixels = size_t{1024} * 768, map = size_t{4} * settings.shadow_map_px * settings.shadow_map_px;
+  const auto frames = [&](size_t lights) { return estimate_frame_memory(settings, lights, 2, 1); };
+  EXPECT_EQ(frames(1).gpu_frames, 0u);
+  EXPECT_EQ(frames(3).frames - frames(1).frames, 2 * (map + 2 * pixels));
+  const size_t whole = frames(1).frames;
+  settings.shadows = ShadowMode::none;
+  EXPECT_GT(whole - frames(1).frames, map);
+  const Scene scene = textured_room();
+  const auto accelerator = [&] {
+    return estimate_memory(scene, make_scene_facts(scene), Topology(), settings, 1, false, 1, 1).accelerator;
+  };
+  settings.method = Method::raster;
+  const size_t without = accelerator();
+  settings.shadows = ShadowMode::map;
+  EXPECT_GT(accelerator(), without);
+}
+
 TEST(FrameMemory, IsBoundedByThePicturesThatWaitNotByTheSequence) {
   const RenderSettings settings;
   const size_t one = estimate_frame_memory(settings, 1, 2, 1).pictures;
