@@ -100,9 +100,9 @@ double require_quiet_machine(const SweepOptions& options) {
 }
 
 /// Without them the rows stand.
-void draw_charts_if_possible(const fs::path& folder) {
+void draw_charts_if_possible(const fs::path& folder, bool quiet) {
   try {
-    draw_charts(folder);
+    draw_charts(folder, quiet);
   } catch (const Error& problem) {
     complain(problem.what());
   }
@@ -129,8 +129,8 @@ ExitCode sweep(const SweepOptions& given, const std::vector<std::string>& comman
     say(fmt::format("hybridrt: stopped; the same command goes on from {}\n", request.rows().string()));
     return interrupted_or(ExitCode::ok);
   }
-  fmt::print("rows     {}\n", request.rows().string());
-  if (!options.no_charts) draw_charts_if_possible(request.folder);
+  if (!options.quiet) fmt::print("rows     {}\n", request.rows().string());
+  if (!options.no_charts) draw_charts_if_possible(request.folder, options.quiet);
   return outcome.failed > 0 ? ExitCode::some_failed : ExitCode::ok;
 }
 

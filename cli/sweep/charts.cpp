@@ -30,17 +30,15 @@ fs::path report_script() {
               installed.string());
 }
 
-/// Runs a program and waits for it; its exit code, or -1 if it cannot be started or is killed. `silent`: it prints
-/// nothing.
-int run_program(const std::vector<std::string>& command, bool silent) {
+/// Runs a program and waits for it; its exit code, or -1 if it cannot be started or is killed. What it prints to the
+/// `silenced` streams is dropped.
+int run_program(const std::vector<std::string>& command, const std::vector<int>& silenced) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  if (silent)
-    for (int stream : {STDOUT_FILENO, STDERR_FILENO})
-      posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
+  for (int stream : silenced) posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
   pid_t child = 0;
   const int failure = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
@@ -56,8 +54,8 @@ int run_program(const std::vector<std::string>& command, bool silent) {
 std::string find_python() {
   std::string any;
   for (const char* python : {"python3", "/usr/bin/python3"}) {
-    if (run_program({python, "-c", "import matplotlib"}, /*silent=*/true) == 0) return python;
-    if (any.empty() && run_program({python, "-c", ""}, /*silent=*/true) == 0) any = python;
+    if (run_program({python, "-c", "import matplotlib"}, {STDOUT_FILENO, STDERR_FILENO}) == 0) return python;
+    if (any.empty() && run_program({python, "-c", ""}, {STDOUT_FILENO, STDERR_FILENO}) == 0) any = python;
   }
   if (any.empty())
     throw error(ErrorKind::input, "no charts drawn: they need python3 with Matplotlib; install python3-matplotlib");
@@ -66,10 +64,11 @@ std::string find_python() {
 
 }  // namespace
 
-ExitCode draw_charts(const fs::path& folder) {
+ExitCode draw_charts(const fs::path& folder, bool quiet) {
   const std::string script = report_script().string(), python = find_python();
   flush_output();  // what the script prints follows
-  const int code = run_program({python, script, folder.string()}, /*silent=*/false);
+  const int code =
+      run_program({python, script, folder.string()}, quiet ? std::vector<int>{STDOUT_FILENO} : std::vector<int>{});
   if (code == 0) return ExitCode::ok;
   return code == static_cast<int>(ExitCode::input) ? ExitCode::input : ExitCode::internal;
 }
