@@ -29,13 +29,7 @@ Json axes_json(const std::vector<Axis>& axes) {
 Json truth_json(const TruthOptions& truth) {
   const bool given = !truth.folder.empty();
   const char* kind = given ? "folder" : truth.samples > 0 ? "reference" : "none";
-  std::string note = "errors are not measured";
-  if (given)
-    note = "errors are those against the pictures in " + truth.folder.string();
-  else if (truth.samples == 1)
-    note = "the truth has one sample a pixel too: errors are the methods' own, without aliasing";
-  else if (truth.samples > 1)
-    note = fmt::format("the truth has {} samples a pixel: errors hold aliasing too", truth.samples);
+  const std::string note = given ? "the pictures in " + truth.folder.string() : "";
   return {{"method", given ? "" : "reference"}, {"samples", truth.samples}, {"kind", kind}, {"note", note}};
 }
 
