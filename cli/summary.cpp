@@ -16,7 +16,10 @@ std::string rays(int64_t count) {
 std::string name_of_row(size_t pass, const RenderJob& job) {
   static constexpr const char* kNames[] = {"1 light buffer",    "2 triangle ids", "3 marking", "  readback",
                                            "4 rays on the CPU", "  upload",       "5 shading", "  download"};
+  static constexpr const char* kOfRays[] = {
+      "light buffer", "primary rays", "points seen", "", "shadow rays, reflections", "", "shading", "unpacking"};
   if (pass == kWall) return "from frame to frame";
+  if (job.settings.method == Method::raytrace) return kOfRays[pass];
   if (!uses_shadow_map(job.settings)) return kNames[pass];
   if (pass == static_cast<size_t>(PassId::shadow_map)) return "1 shadow map";
   if (pass == static_cast<size_t>(PassId::id)) return "2 triangle ids + shadow test";

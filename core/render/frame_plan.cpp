@@ -59,19 +59,20 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   const double size = glm::length(dvec3(facts.bounds.extent()));
   plan.near_distance = kNearest * std::max(size, 1e-30);
 
-  const bool hybrid = settings.method == Method::hybrid;
+  const bool hybrid = settings.method == Method::hybrid, raytrace = settings.method == Method::raytrace;
   const ShadowMode shadows = count_shadow_casters(plan.lights) > 0 ? settings.shadows : ShadowMode::none;
   plan.shadows = shadows != ShadowMode::none;
   plan.shadow_map = shadows == ShadowMode::map || shadows == ShadowMode::blur;
   plan.mark_blur = shadows == ShadowMode::blur;
   plan.mark_exact = hybrid && shadows == ShadowMode::exact;
-  plan.trace_shadows = hybrid && (plan.mark_blur || plan.mark_exact || shadows == ShadowMode::rays);
+  plan.trace_shadows = (hybrid || raytrace) && (plan.mark_blur || plan.mark_exact || shadows == ShadowMode::rays);
   // The exact modes also repair which triangle is seen, whatever the light.
   plan.repair = repairs_ids(settings);
-  plan.trace_scattered = hybrid && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
+  plan.trace_scattered =
+      (hybrid || raytrace) && settings.reflection_depth > 0 && may_be_seen(plan.view, facts.scattering_bounds);
 
   // Light buffers are worth building for a few rays only if the next frames can use them too.
-  const bool asks_light = plan.trace() || settings.method == Method::raytrace;
+  const bool asks_light = plan.trace() || raytrace;
   plan.light_buffers =
       plan.shadows && asks_light && (plan.mark_exact || shadows == ShadowMode::rays || !request.light_moves);
 

@@ -47,7 +47,7 @@ size_t gpu_frame_bytes(const RenderSettings& s, size_t lights) {
   return bytes;
 }
 
-/// What passes 3 and 4 write in each slot, or the whole frame of render_on_cpu, render_tiles or render_mapped.
+/// What passes 3 and 4 write in each slot, or the whole frame of render_reference, render_tiles or render_mapped.
 size_t cpu_frame_bytes(const RenderSettings& s, size_t lights) {
   const size_t lit = lights, traced = 16, ids = 4;
   if (!uses_gl(s)) {

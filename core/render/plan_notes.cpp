@@ -108,7 +108,8 @@ std::vector<StepNote> explain_plan(const FramePlan& plan, const SceneFacts& fact
             {"primary rays", Runs::each_frame, pixels(s)},
             shadow_rays_note(plan, s),
             scattered_note(plan, facts, s),
-            left_out("pass 5 shading", "done ray by ray")};
+            s.method == Method::raytrace ? StepNote{"shading", Runs::each_frame, "of what is seen, many pixels at once"}
+                                         : left_out("pass 5 shading", "done ray by ray")};
   }
   return {accelerator_note(facts, s, light_moves),
           shadow_map_note(plan, s, light_moves),

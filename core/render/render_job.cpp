@@ -3,9 +3,9 @@
 #include "core/base/timing.h"
 #include "core/mesh/inside_out.h"
 #include "core/mesh/reflective_share.h"
-#include "core/render/cpu_renderer.h"
 #include "core/render/gl_renderer.h"
 #include "core/render/mapped_renderer.h"
+#include "core/render/reference_renderer.h"
 #include "core/render/samples.h"
 #include "core/render/still_frames.h"
 #include "core/render/tile_renderer.h"
@@ -63,11 +63,11 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
     const SceneCaster<double> reference = make_reference_scene_caster(job.scene, pool);
     remember(reference, "kdtree (double)");
     ready();
-    render_on_cpu(job.scene, job.facts, job.topology, job.settings, *reference.caster, pool, next, deliver);
+    render_reference(job.scene, job.facts, job.topology, job.settings, *reference.caster, pool, next, deliver);
   } else if (job.settings.method == Method::raytrace) {
     const RayCaster<float>& rays = caster();
     ready();
-    render_on_cpu(job.scene, job.facts, job.topology, job.settings, rays, pool, next, deliver);
+    render_tiles(job.scene, job.facts, job.topology, job.settings, &rays, pool, next, deliver);
   } else if (job.settings.forms == PassForms::cpu) {
     const bool rays_needed = needs_caster(job.facts, job.settings, lights_move(job.lights, job.motion));
     const RayCaster<float>* const rays = rays_needed ? &caster() : nullptr;

@@ -36,13 +36,33 @@ TileWorker::TileWorker(const TileJob& job, TileRaster& raster)
 
 void TileWorker::render(int tile) {
   PassClock clock(times_ms_);
-  raster_.draw(scene_, job_.clusters, job_.bins, tile);
+  raster_.draw(scene_, *job_.clusters, job_.bins, tile);
   clock.charge(PassId::id);
   const DepthTile& seen = raster_.depth();
+  seen_ = {seen.triangle, seen.x_px, seen.y_px, kTileStride};
   const int x_end = seen.x_px + seen.width_px, y_end = seen.y_px + seen.height_px;
   for (int y = seen.y_px; y < y_end; y += kPart_px)
     for (int x = seen.x_px; x < x_end; x += kPart_px)
       render_part(x, y, std::min(x + kPart_px, x_end), std::min(y + kPart_px, y_end));
+}
+
+void TileWorker::render_by_rays(const Tile& part) {
+  PassClock clock(times_ms_);
+  const View& view = job_.plan.view;
+  const vec3 eye(view.eye);
+  primary_.clear(), primary_pixels_.clear();
+  part.for_each_pixel_in_blocks([&](int x, int y, uint32_t in_part) {
+    primary_.push_back({eye, vec3(glm::normalize(view.pixel_dir(x, y)))});
+    primary_pixels_.push_back(in_part);
+  });
+  hits_.resize(primary_.size());
+  job_.caster->closest_hits(primary_, hits_);
+  primary_triangles_.resize(primary_.size());
+  for (size_t i = 0; i < hits_.size(); ++i)
+    primary_triangles_[primary_pixels_[i]] = hits_[i].found() ? hits_[i].triangle : kNoTriangle;
+  clock.charge(PassId::id);
+  seen_ = {primary_triangles_.data(), part.x0, part.y0, static_cast<int>(part.width())};
+  render_part(part.x0, part.y0, part.x1, part.y1);
 }
 
 void TileWorker::render_part(int x0, int y0, int x1, int y1) {
@@ -72,13 +92,12 @@ void TileWorker::render_part(int x0, int y0, int x1, int y1) {
 
 /// Takes the pixels that see a triangle; the others show the background.
 void TileWorker::take_points(int x0, int y0, int x1, int y1) {
-  const DepthTile& seen = raster_.depth();
   const bool has_alpha = job_.pixels.picture.channels == 4;
   const vec4 background = has_alpha ? vec4(0) : vec4(job_.trace.background, 0);
   points_.count = 0;
   uint32_t last = kNoTriangle;
   for (int y = y0; y < y1; ++y) {
-    const uint32_t* const row = seen.triangle + (y - seen.y_px) * kTileStride - seen.x_px;
+    const uint32_t* const row = seen_.triangles + (y - seen_.y_px) * seen_.stride - seen_.x_px;
     for (int x = x0; x < x1; ++x) {
       if (!job_.pixels.ids.empty()) job_.pixels.ids[index_of(x, y)] = row[x];
       if (row[x] == kNoTriangle) {

@@ -10,6 +10,7 @@
 #include "core/render/frame_timings.h"
 #include "core/trace/ray_generations.h"
 #include "core/trace/seen_points.h"
+#include "core/trace/tile.h"
 
 namespace hybridrt {
 
@@ -26,7 +27,7 @@ struct TilePixels {
 struct TileJob {
   const FramePlan& plan;
   const TraceJob& trace;
-  const Clusters& clusters;
+  const Clusters* clusters;  ///< null if primary rays find what is seen
   const FrameBins& bins;
   const RayCaster<float>* caster;
   TilePixels pixels;
@@ -41,15 +42,26 @@ class TileWorker {
   /// `raster` is memory that outlives the frame.
   TileWorker(const TileJob& job, TileRaster& raster);
 
-  /// Passes 2 to 5 of one tile.
+  /// Passes 2 to 5 of one tile of the rasteriser.
   void render(int tile);
+
+  /// The same of at most kPart_px x kPart_px pixels whose triangles primary rays find, for method raytrace: what a
+  /// rasteriser saves is then the only difference.
+  void render_by_rays(const Tile& part);
+
+  static constexpr int kPart_px = 32;  ///< parts of a tile that trace their rays together
 
   const TraceStats& stats() const { return stats_; }
   const PassTimes& times_ms() const { return times_ms_; }
 
  private:
-  static constexpr int kPart_px = 32;  ///< parts of a tile that trace their rays together
   static constexpr int kBatchRows = SeenPoints::kMost / kPart_px;
+
+  /// Which triangle pixel (x, y) sees is triangles[(y - y_px) * stride + x - x_px].
+  struct SeenTriangles {
+    const uint32_t* triangles;
+    int x_px, y_px, stride;
+  };
 
   void render_part(int x0, int y0, int x1, int y1);
   void prefetch(uint32_t triangle) const;
@@ -71,8 +83,14 @@ class TileWorker {
   SeenPoints points_;
   std::vector<uint8_t> lit_;  ///< per point: bit l is set where light l arrives
   float colors_[3][SeenPoints::kRoom];
-  std::vector<vec3> traced_;  ///< of the part at hand
-  bool scattered_ = false;    ///< whether any of its points sent rays
+  SeenTriangles seen_{};
+
+  // Of the part at hand.
+  std::vector<Ray<float>> primary_;
+  std::vector<uint32_t> primary_pixels_, primary_triangles_;
+  std::vector<Hit<float>> hits_;
+  std::vector<vec3> traced_;
+  bool scattered_ = false;  ///< whether any of its points sent rays
 
   // Of the light at hand.
   std::vector<ShadowQuery> queries_, marked_queries_;

@@ -1,5 +1,6 @@
 #include "core/render/tile_renderer.h"
 
+#include <algorithm>
 #include <numeric>
 #include <optional>
 
@@ -40,6 +41,18 @@ void set_timings(FrameTimings& timings, const PassTimes& threads_ms, double wall
   for (size_t pass = 0; pass < threads_ms.size(); ++pass) timings.pass_ms[pass] += threads_ms[pass] / sum * wall_ms;
 }
 
+int parts_across(const View& view) { return (view.width_px + TileWorker::kPart_px - 1) / TileWorker::kPart_px; }
+
+size_t part_count(const View& view) {
+  return static_cast<size_t>(parts_across(view)) * ((view.height_px + TileWorker::kPart_px - 1) / TileWorker::kPart_px);
+}
+
+Tile part_of_picture(const View& view, size_t part) {
+  const int x = static_cast<int>(part) % parts_across(view) * TileWorker::kPart_px;
+  const int y = static_cast<int>(part) / parts_across(view) * TileWorker::kPart_px;
+  return {x, y, std::min(x + TileWorker::kPart_px, view.width_px), std::min(y + TileWorker::kPart_px, view.height_px)};
+}
+
 }  // namespace
 
 void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
@@ -48,7 +61,8 @@ void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& t
   HRT_CHECK(!uses_shadow_map(settings));
   const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
   HRT_CHECK(part.width_px == kept.width_px && part.height_px == kept.height_px);
-  const Clusters clusters = make_clusters(scene, pool);
+  const bool by_rays = settings.method == Method::raytrace;
+  const Clusters clusters = by_rays ? Clusters() : make_clusters(scene, pool);
   KeptLightBuffers light_buffers(scene, topology, pool);
   FrameMemory memory;
   memory.raster.tiles.resize(pool.size());
@@ -61,17 +75,24 @@ void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& t
     if (plan.light_buffers) frame.timings[PassId::shadow_map] = light_buffers.answer(trace);
 
     const Stopwatch binning;
-    bin_clusters(scene, clusters, plan.view, pool, memory.raster.bins);
-    frame.timings[PassId::id] = binning.elapsed_ms();
+    if (!by_rays) bin_clusters(scene, clusters, plan.view, pool, memory.raster.bins);
+    frame.timings[PassId::id] = by_rays ? 0 : binning.elapsed_ms();
 
     const Stopwatch drawing;
     frame.picture = Image::uninitialized(part.width_px, part.height_px, settings.alpha ? 4 : 3);
-    const TileJob job{
-        plan, trace, clusters, memory.raster.bins, caster, memory.pixels_for(plan, settings.aovs, frame.picture)};
+    const TileJob job{plan,
+                      trace,
+                      by_rays ? nullptr : &clusters,
+                      memory.raster.bins,
+                      caster,
+                      memory.pixels_for(plan, settings.aovs, frame.picture)};
     std::vector<std::optional<TileWorker>> workers(pool.size());
-    pool.run(memory.raster.bins.order.size(), [&](size_t i, int worker) {
+    pool.run(by_rays ? part_count(plan.view) : memory.raster.bins.order.size(), [&](size_t i, int worker) {
       if (!workers[worker]) workers[worker].emplace(job, memory.raster.tiles[worker]);
-      workers[worker]->render(static_cast<int>(memory.raster.bins.order[i]));
+      if (by_rays)
+        workers[worker]->render_by_rays(part_of_picture(plan.view, i));
+      else
+        workers[worker]->render(static_cast<int>(memory.raster.bins.order[i]));
     });
     PassTimes threads_ms{};
     for (const std::optional<TileWorker>& worker : workers) {

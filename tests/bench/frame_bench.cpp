@@ -8,8 +8,6 @@
 #include <algorithm>
 
 #include "core/base/timing.h"
-#include "core/passes_cpu/trace_pass.h"
-#include "core/render/kept_light_buffers.h"
 #include "core/render/scene_caster.h"
 #include "core/render/tile_renderer.h"
 #include "tests/bench/bench_options.h"
@@ -42,41 +40,41 @@ void measure(const std::string& name, const BenchOptions& options, ThreadPool& p
   const SceneCaster<float> caster = make_scene_caster(bench.scene, Accel::embree, pool);
   const EmbreeFrame embree(bench.scene, options.threads);
 
-  // What the two rivals need.
+  // What the plain Embree program needs.
   const FramePlan plan = make_frame_plan(bench.scene, facts, request, settings);
-  TraceJob job = make_trace_job(bench.scene, plan, settings);
-  KeptLightBuffers buffers(bench.scene, topology, pool);
-  buffers.answer(job);
-  TraceJob plain = make_trace_job(bench.scene, plan, settings);
-  const size_t pixels = static_cast<size_t>(options.width_px) * options.height_px;
-  std::vector<vec4> picture(pixels);
-  std::vector<uint32_t> ids(pixels);
-  std::vector<uint8_t> lit(pixels);
+  const TraceJob plain = make_trace_job(bench.scene, plan, settings);
+  std::vector<vec4> picture(static_cast<size_t>(options.width_px) * options.height_px);
+  RenderSettings by_rays = settings;
+  by_rays.method = Method::raytrace, by_rays.shadows = ShadowMode::rays;
+
+  /// The second of two frames: the first pays for the light buffer.
+  const auto second_frame = [&](const RenderSettings& chosen) {
+    std::pair<double, Frame> timed;
+    Stopwatch watch;
+    int asked = 0;
+    const auto next = [&]() -> std::optional<FrameRequest> {
+      if (asked++ == 2) return std::nullopt;
+      watch.restart();
+      return request;
+    };
+    const auto deliver = [&](Frame&& frame) { timed = {watch.elapsed_ms(), std::move(frame)}; };
+    render_tiles(bench.scene, facts, topology, chosen, caster.caster.get(), pool, next, deliver);
+    return timed;
+  };
 
   std::vector<double> hybrid_ms, raytrace_ms, embree_ms;
   std::vector<std::vector<double>> passes(static_cast<size_t>(PassId::count));
-  Stopwatch watch;
-  int round = -2;
-  const auto next = [&]() -> std::optional<FrameRequest> {
-    if (round++ == options.rounds) return std::nullopt;
-    watch.restart();
-    return request;
-  };
-  const auto deliver = [&](Frame&& frame) {
-    const double hybrid = watch.elapsed_ms();
-    watch.restart();
-    if (!options.alone) trace_frame(job, *caster.caster, pool, TracedFrame<float>{picture, ids, lit});
-    const double raytrace = watch.elapsed_ms();
-    watch.restart();
+  for (int round = -1; round < options.rounds; ++round) {
+    const auto [ms, frame] = second_frame(settings);
+    const double raytrace = options.alone ? 0 : second_frame(by_rays).first;
+    const Stopwatch watch;
     if (!options.alone) embree.render(plain, pool, picture);
     const double all_embree = watch.elapsed_ms();
-    if (round <= 0) return;  // warm now
-    hybrid_ms.push_back(hybrid), raytrace_ms.push_back(raytrace), embree_ms.push_back(all_embree);
+    if (round < 0) continue;  // warm now
+    hybrid_ms.push_back(ms), raytrace_ms.push_back(raytrace), embree_ms.push_back(all_embree);
     for (size_t i = 0; i < passes.size(); ++i)
       passes[i].push_back(frame.timings.threads_ms[i] > 0 ? frame.timings.threads_ms[i] : frame.timings.pass_ms[i]);
-  };
-  render_tiles(bench.scene, facts, topology, settings,
-               needs_caster(facts, settings, false) ? caster.caster.get() : nullptr, pool, next, deliver);
+  }
   const double hybrid = median(hybrid_ms);
   printf("%s,%zu,%.2f,%.2f,%.2f,%.2f,%.2f", name.c_str(), bench.scene.triangle_count(), hybrid, median(raytrace_ms),
          median(embree_ms), median(embree_ms) / hybrid, median(raytrace_ms) / hybrid);

@@ -109,6 +109,7 @@ TEST_F(FrameOrder, ADeliveryThatThrowsEndsTheRun) {
 TEST_F(FrameOrder, AFrameReportsItsOwnRaysOnly) {
   RenderJob job = orbit_job("scene:spheres,triangles=2000,reflective=100", 4, 64, 48);
   job.settings.shadows = ShadowMode::map;
+  job.repeats_still_frames = false;
   CameraPath path;
   const dvec3 eye(0, 4, 12);  // two frames see the mirrors, two turn away from them
   path.keys = {{2, {eye, {0, 0, 0}, {0, 1, 0}, 0.8}, {}}, {3, {eye, {0, 8, 24}, {0, 1, 0}, 0.8}, {}}};

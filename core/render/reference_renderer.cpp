@@ -1,4 +1,4 @@
-#include "core/render/cpu_renderer.h"
+#include "core/render/reference_renderer.h"
 
 #include "core/base/timing.h"
 #include "core/passes_cpu/trace_pass.h"
@@ -7,9 +7,8 @@
 
 namespace hybridrt {
 
-template <typename Real>
-void render_on_cpu(const Scene& scene, const SceneFacts& facts, const Topology& topology,
-                   const RenderSettings& settings, const RayCaster<Real>& caster, ThreadPool& pool,
+void render_reference(const Scene& scene, const SceneFacts& facts, const Topology& topology,
+                   const RenderSettings& settings, const RayCaster<double>& caster, ThreadPool& pool,
                    const NextFrame& next, const DeliverFrame& deliver) {
   const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
   const size_t pixels = static_cast<size_t>(part.width_px) * part.height_px;
@@ -27,7 +26,7 @@ void render_on_cpu(const Scene& scene, const SceneFacts& facts, const Topology& 
     if (plan.light_buffers) frame.timings[PassId::shadow_map] = light_buffers.answer(job);
     lit.resize(plan.lights.size() * pixels);
     const Stopwatch tracing;
-    frame.stats = trace_frame(job, caster, pool, TracedFrame<Real>{picture, ids, lit});
+    frame.stats = trace_frame(job, caster, pool, TracedFrame<double>{picture, ids, lit});
     frame.timings[PassId::trace] = tracing.elapsed_ms();
 
     const Stopwatch unpacking;
@@ -39,10 +38,5 @@ void render_on_cpu(const Scene& scene, const SceneFacts& facts, const Topology& 
     deliver(std::move(frame));
   }
 }
-
-template void render_on_cpu(const Scene&, const SceneFacts&, const Topology&, const RenderSettings&,
-                            const RayCaster<float>&, ThreadPool&, const NextFrame&, const DeliverFrame&);
-template void render_on_cpu(const Scene&, const SceneFacts&, const Topology&, const RenderSettings&,
-                            const RayCaster<double>&, ThreadPool&, const NextFrame&, const DeliverFrame&);
 
 }  // namespace hybridrt
