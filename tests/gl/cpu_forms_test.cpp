@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "tests/gl/frame_test.h"
+#include "tests/support/textured_scenes.h"
 
 namespace hybridrt {
 namespace {
@@ -13,6 +14,8 @@ const ImageLayer& layer(const Frame& frame, std::string_view name) {
     if (aov.name == name) return aov;
   throw std::logic_error("no such layer");
 }
+
+constexpr const char* kHoles = "textured_room()";
 
 struct FormsCase {
   const char* name;
@@ -43,7 +46,9 @@ class CpuForms : public testing::TestWithParam<FormsCase> {
   }
 
   static RenderJob job_of(const FormsCase& c) {
-    RenderJob job = orbit_job(c.scene, 3, 480, 360);
+    RenderJob job =
+        std::string_view(c.scene) == kHoles ? orbit_job(textured_room(), 3, 480, 360) : orbit_job(c.scene, 3, 480, 360);
+    EXPECT_EQ(job.scene.has_holes(), std::string_view(c.scene) == kHoles);
     RenderSettings& s = job.settings;
     s.shadows = c.shadows, s.shadow_warp = c.warp, s.method = c.method, s.samples = c.samples;
     s.shadow_map_px = c.shadow_map_px, s.crop = c.crop;
@@ -115,7 +120,7 @@ TEST_P(CpuForms, DrawWhatTheGlFormsDraw) {
 constexpr const char* kChess = "scene:chess,triangles=20000";
 constexpr const char* kSpheres = "scene:spheres,triangles=8000,reflective=30";
 constexpr const char* kThin = "scene:thin,triangles=20000";
-constexpr const char* kFronds = HYBRIDRT_SCENES "/fronds.obj";
+
 constexpr const char* kStillLife = HYBRIDRT_SCENES "/still_life.obj";
 constexpr dvec3 kLow{-1, 0.2, 0.3};
 
@@ -129,13 +134,13 @@ INSTANTIATE_TEST_SUITE_P(
         FormsCase{"spheres_blur", kSpheres, ShadowMode::blur}, FormsCase{"thin_none", kThin, ShadowMode::none},
         FormsCase{"thin_map", kThin, ShadowMode::map}, FormsCase{"thin_blur", kThin, ShadowMode::blur},
         FormsCase{"still_life_map", kStillLife, ShadowMode::map},
-        FormsCase{"still_life_blur", kStillLife, ShadowMode::blur}, FormsCase{"holes_map", kFronds, ShadowMode::map},
-        FormsCase{"holes_blur", kFronds, ShadowMode::blur},
-        FormsCase{.name = "holes_raster", .scene = kFronds, .shadows = ShadowMode::map, .method = Method::raster},
+        FormsCase{"still_life_blur", kStillLife, ShadowMode::blur}, FormsCase{"holes_map", kHoles, ShadowMode::map},
+        FormsCase{"holes_blur", kHoles, ShadowMode::blur},
+        FormsCase{.name = "holes_raster", .scene = kHoles, .shadows = ShadowMode::map, .method = Method::raster},
         FormsCase{"uniform_map", kSpheres, ShadowMode::map, ShadowWarp::uniform},
         FormsCase{"uniform_blur", kThin, ShadowMode::blur, ShadowWarp::uniform},
         FormsCase{"low_sun_map", kSpheres, ShadowMode::map, ShadowWarp::lispsm, kLow},
-        FormsCase{"low_sun_blur", kFronds, ShadowMode::blur, ShadowWarp::lispsm, kLow},
+        FormsCase{"low_sun_blur", kHoles, ShadowMode::blur, ShadowWarp::lispsm, kLow},
         FormsCase{.name = "lights_map", .scene = kSpheres, .shadows = ShadowMode::map, .lights = 3},
         FormsCase{.name = "lights_blur", .scene = kStillLife, .shadows = ShadowMode::blur, .lights = 3},
         FormsCase{.name = "coarse_map", .scene = kStillLife, .shadows = ShadowMode::map, .shadow_map_px = 200},
