@@ -10,18 +10,17 @@ Visit measure(RenderJob& job, ThreadPool& pool) {
   const FrameRange& first = frames.ranges.front();
   const FrameRange& last = frames.ranges.back();
   const int last_frame = last.first + (last.last - last.first) / last.step * last.step;
-  job.frames.ranges.insert(job.frames.ranges.begin(), {first.first, first.first, 1});
+  std::vector<FrameRange> before = {{first.first, first.first, 1}};
+  if (count > 1) before.push_back({last_frame, last_frame, 1});
+  job.frames.ranges.insert(job.frames.ranges.begin(), before.begin(), before.end());
   if (job.settings.frames_in_flight > 1) job.frames.ranges.push_back({last_frame, last_frame, 1});
   job.settings.aovs = 0;
 
   Visit visit;
-  bool warm = false;
+  size_t delivered = 0;
   const auto deliver = [&](Frame&& frame) {
-    if (!std::exchange(warm, true)) {
-      visit.first_frame_ms = frame.timings.wall_ms;
-      return;
-    }
-    if (visit.frames.size() == count) return;
+    if (delivered++ == 0) visit.first_frame_ms = frame.timings.wall_ms;
+    if (delivered <= before.size() || visit.frames.size() == count) return;
     frame.picture = {};
     visit.frames.push_back(std::move(frame));
   };

@@ -11,8 +11,10 @@ struct Visit {
   std::vector<Frame> frames;  ///< without their pictures; fewer than asked for if a signal asked to stop
 };
 
-/// Renders the job's frames for their times. One frame before them pays for what is made once and is not counted; where
-/// frames overlap another one follows them, so that the last one too has a neighbour. The job's AOVs are left out.
+/// Renders the job's frames for their times. The first one is rendered once before and not counted: it pays for what is
+/// made once. Of several frames the last one follows it, so that the first does not find what is kept while the camera
+/// stands still. Where frames overlap another one comes after them, so that the last one too has a neighbour. The job's
+/// AOVs are left out.
 Visit measure(RenderJob& job, ThreadPool& pool);
 
 }  // namespace hybridrt::cli

@@ -8,8 +8,8 @@
 namespace hybridrt {
 
 void render_reference(const Scene& scene, const SceneFacts& facts, const Topology& topology,
-                   const RenderSettings& settings, const RayCaster<double>& caster, ThreadPool& pool,
-                   const NextFrame& next, const DeliverFrame& deliver) {
+                      const RenderSettings& settings, const RayCaster<double>& caster, ThreadPool& pool,
+                      const NextFrame& next, const DeliverFrame& deliver) {
   const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
   const size_t pixels = static_cast<size_t>(part.width_px) * part.height_px;
   std::vector<vec4> picture(pixels);
