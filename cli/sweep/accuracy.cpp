@@ -11,6 +11,8 @@
 namespace hybridrt::cli {
 namespace {
 
+constexpr double kOff = 2.5 / 255;  // between two and three codes
+
 size_t count_non_finite(const Image& picture) {
   size_t count = 0;
   for (size_t first = 0; first < picture.data.size(); first += picture.channels)
@@ -42,9 +44,17 @@ void compare_centres(const Frame& frame, const Truth& truth, Accuracy& accuracy)
 
 }  // namespace
 
+std::vector<Frame> render_to_compare(RenderJob& job, ThreadPool& pool) {
+  RenderSettings settings = job.settings;
+  settings.aovs = 0;
+  if (settings.samples == 1) settings.aovs |= kAovId;
+  if (settings.samples == 1 && settings.shadows != ShadowMode::none) settings.aovs |= kAovShadow;
+  return render_frames(job, settings, pool);
+}
+
 Accuracy measure_accuracy(const Frame& frame, const Truth& truth) {
   const Image shown = displayed(frame.picture);
-  const CompareResult compared = compare_images(shown, truth.picture, {.fail = 0});
+  const CompareResult compared = compare_images(shown, truth.picture, {.fail = 0, .hard_fail = kOff});
   if (!compared.measured)
     throw error(ErrorKind::input, "{} cannot be the truth of frame {}: {}", truth.file.string(), frame.number,
                 compared.reason);
@@ -54,7 +64,7 @@ Accuracy measure_accuracy(const Frame& frame, const Truth& truth) {
   accuracy.max_error = compared.max_error;
   accuracy.ssim = structural_similarity(shown, truth.picture);
   accuracy.pixels_different = compared.pixels_over_fail;
-  accuracy.pixels_off = compare_images(shown, truth.picture, {.fail = 2.5 / 255}).pixels_over_fail;
+  accuracy.pixels_off = compared.pixels_over_hard_fail;
   accuracy.non_finite = count_non_finite(frame.picture);
   compare_centres(frame, truth, accuracy);
   return accuracy;

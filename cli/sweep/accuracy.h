@@ -16,6 +16,10 @@ struct Accuracy {
   std::optional<size_t> false_lit, false_shadow, other_triangle;
 };
 
+/// Renders the frames of `job` with what measure_accuracy() looks at: the AOVs `id` and `shadow` where there is one
+/// sample a pixel. Fewer if a signal asks to stop.
+std::vector<Frame> render_to_compare(RenderJob& job, ThreadPool& pool);
+
 /// `frame` with the layers `id` and `shadow` if it has them. Throws Error(input) for a truth of another size.
 Accuracy measure_accuracy(const Frame& frame, const Truth& truth);
 

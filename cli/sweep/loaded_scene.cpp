@@ -46,16 +46,11 @@ void set_job(LoadedScene& scene, const SweepSetting& setting, ThreadPool& pool, 
 }
 
 std::vector<Frame> render_frames(RenderJob& job, const RenderSettings& settings, ThreadPool& pool) {
-  const RenderSettings own = std::exchange(job.settings, settings);
+  const KeptJob kept{job};
+  job.settings = settings;
   std::vector<Frame> frames;
-  try {
-    run(
-        job, pool, [](const RunFacts&) {}, stop_requested, [&](Frame&& frame) { frames.push_back(std::move(frame)); });
-  } catch (...) {
-    job.settings = own;
-    throw;
-  }
-  job.settings = own;
+  run(
+      job, pool, [](const RunFacts&) {}, stop_requested, [&](Frame&& frame) { frames.push_back(std::move(frame)); });
   return frames;
 }
 

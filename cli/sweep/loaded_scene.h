@@ -24,6 +24,17 @@ LoadedScene load_scene_of(const SweepSetting& setting, ThreadPool& pool, Warning
 /// Makes `scene.job` the setting's, with its structure for rays if any frame may need one. Throws as make_render_job().
 void set_job(LoadedScene& scene, const SweepSetting& setting, ThreadPool& pool, Warnings& warnings);
 
+/// Gives a job its settings and frames back.
+struct KeptJob {
+  RenderJob& job;
+  RenderSettings settings = job.settings;
+  FrameSpec frames = job.frames;
+  ~KeptJob() {
+    job.settings = settings;
+    job.frames = frames;
+  }
+};
+
 /// Renders the frames of `job` with other settings; fewer if a signal asks to stop.
 std::vector<Frame> render_frames(RenderJob& job, const RenderSettings& settings, ThreadPool& pool);
 

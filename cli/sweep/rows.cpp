@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/load/text_scan.h"
+#include "core/render/frame_columns.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -16,14 +17,11 @@ const std::vector<std::string> kSettings = {
     "scene",       "width_px",         "height_px", "method", "shadows", "blur_kernel_px",   "shadow_map_px",
     "shadow_warp", "reflection_depth", "samples",   "accel",  "threads", "frames_in_flight", "form",
     "triangles"};
-const std::vector<std::string> kOneOff = {"wall_ms", "first_frame_ms", "ready_ms", "load_ms", "accel_build_ms"};
-const std::vector<std::string> kCounts = {
-    "shadow_cpu_ms",     "secondary_cpu_ms",  "pixels",      "pixels_hit",      "pixels_marked",
-    "pixels_reflective", "pixels_refractive", "shadow_rays", "reflection_rays", "refraction_rays"};
+const std::vector<std::string> kOneOff = {"first_frame_ms", "first_shadow_map_ms", "ready_ms",
+                                          "load_ms",        "accel_build_ms",      "pixels"};
 const std::vector<std::string> kAccuracy = {"rmse",         "psnr_db",          "max_error",
                                             "ssim",         "pixels_different", "false_lit",
                                             "false_shadow", "other_triangle",   "non_finite"};
-constexpr PassId kThreadTimed[] = {PassId::id, PassId::mark, PassId::trace, PassId::shade};
 
 void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
   to.insert(to.end(), more.begin(), more.end());
@@ -33,16 +31,19 @@ bool is_setting_column(const std::string& name) {
   return std::find(kSettings.begin(), kSettings.end(), name) != kSettings.end();
 }
 
+/// Of frame_columns() or frame_cells(): nothing is written while times are taken.
+std::vector<std::string> without_writing(std::vector<std::string> cells) {
+  cells.erase(cells.begin() + static_cast<ptrdiff_t>(PassId::write));
+  return cells;
+}
+
 std::vector<std::string> header_for(const std::vector<Axis>& axes) {
   std::vector<std::string> header = {"setting", "round", "frame"};
   for (const Axis& axis : axes)
     if (!is_setting_column(axis.column())) header.push_back(axis.column());
   append(header, kSettings);
   append(header, kOneOff);
-  for (size_t pass = 0; pass < static_cast<size_t>(PassId::write); ++pass)
-    header.push_back(fmt::format("{}_ms", kPassNames[pass]));
-  for (PassId pass : kThreadTimed) header.push_back(fmt::format("{}_cpu_ms", kPassNames[static_cast<size_t>(pass)]));
-  append(header, kCounts);
+  append(header, without_writing(frame_columns()));
   append(header, kAccuracy);
   header.push_back("error");
   return header;
@@ -78,21 +79,15 @@ Row settings_cells(const RowContext& context) {
           number(context.job.scene.triangle_count())};
 }
 
-Row frame_cells(const RowContext& context, const Visit& visit, const Frame& frame) {
-  const FrameTimings& t = frame.timings;
-  const TraceStats& s = frame.stats;
+Row one_off_cells(const RowContext& context, const Visit& visit) {
   const RenderSettings& settings = context.job.settings;
-  Row row = {milliseconds(t.wall_ms), milliseconds(visit.first_frame_ms), milliseconds(visit.facts.ready_ms),
-             milliseconds(context.load_ms), milliseconds(visit.facts.accel_build_ms)};
-  for (size_t pass = 0; pass < static_cast<size_t>(PassId::write); ++pass) row.push_back(milliseconds(t.pass_ms[pass]));
-  for (PassId pass : kThreadTimed) row.push_back(milliseconds(t.threads_ms[static_cast<size_t>(pass)]));
-  append(row, {milliseconds(s.shadow_cpu_ms), milliseconds(s.secondary_cpu_ms)});
   const PixelRect picture = picture_rect(settings);
-  const int64_t pixels = int64_t{picture.width_px} * picture.height_px * settings.samples;
-  for (int64_t count : {pixels, s.pixels_hit, s.pixels_marked, s.pixels_reflective, s.pixels_refractive, s.shadow_rays,
-                        s.reflection_rays, s.refraction_rays})
-    row.push_back(fmt::format("{}", count));
-  return row;
+  return {milliseconds(visit.first_frame_ms),
+          milliseconds(visit.first_shadow_map_ms),
+          milliseconds(visit.facts.ready_ms),
+          milliseconds(context.load_ms),
+          milliseconds(visit.facts.accel_build_ms),
+          fmt::format("{}", int64_t{picture.width_px} * picture.height_px * settings.samples)};
 }
 
 int number_in(const std::string& cell, const std::filesystem::path& file) {
@@ -151,7 +146,8 @@ void SweepRows::add(const RowContext& context, int round, const Visit& visit,
   for (size_t i = 0; i < visit.frames.size(); ++i) {
     Row row = start_of_row(context.setting, context.axes, round, fmt::format("{}", visit.frames[i].number));
     cli::append(row, settings_cells(context));
-    cli::append(row, frame_cells(context, visit, visit.frames[i]));
+    cli::append(row, one_off_cells(context, visit));
+    cli::append(row, without_writing(frame_cells(visit.frames[i].timings, visit.frames[i].stats)));
     cli::append(row, accuracy[i]);
     row.emplace_back();  // no error
     rows.push_back(std::move(row));

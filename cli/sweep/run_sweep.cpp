@@ -173,15 +173,8 @@ class Sweep {
   /// Renders the frames once more than for their times, with the AOVs that tell where shadows and ids are wrong, and
   /// keeps the first one's picture. Fewer cells if a signal asks to stop.
   std::vector<AccuracyCells> find_accuracy(RenderJob& job, const SweepSetting& setting, ThreadPool& pool) {
-    RenderSettings settings = job.settings;
-    const bool measures = request_.truth.samples > 0;
-    const bool knows_centres = measures && request_.truth.folder.empty() && settings.samples == 1;
-    settings.aovs = 0;
-    if (knows_centres) settings.aovs |= kAovId;
-    if (knows_centres && settings.shadows != ShadowMode::none) settings.aovs |= kAovShadow;
-    static const std::vector<Truth> kNone;
-    const std::vector<Truth>& truths = measures ? truths_.of(job, pool) : kNone;
-    const std::vector<Frame> frames = render_frames(job, settings, pool);
+    const std::vector<Truth>& truths = truths_.of(job, pool);
+    const std::vector<Frame> frames = render_to_compare(job, pool);
     std::vector<AccuracyCells> cells;
     for (size_t i = 0; i < frames.size(); ++i)
       cells.push_back(

@@ -35,8 +35,8 @@ class TruthStore {
   /// `tell` is given a line before work that takes long.
   TruthStore(const TruthOptions& options, std::filesystem::path kept, std::function<void(const std::string&)> tell);
 
-  /// One truth per frame of the job, in order. Throws Error(input) where the user's folder lacks a frame or holds
-  /// several for it, or a picture that cannot be read.
+  /// One truth per frame of the job, in order; none if nothing is measured. Throws Error(input) where the user's folder
+  /// lacks a frame or holds several for it, or a picture that cannot be read.
   const std::vector<Truth>& of(RenderJob& job, ThreadPool& pool);
 
  private:

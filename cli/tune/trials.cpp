@@ -81,11 +81,9 @@ void Trials::set_job_of(const Choice& choice, const std::vector<int>& frames) {
 }
 
 double Trials::worst_error() {
-  RenderSettings settings = scene_.job.settings;
-  if (goal_.one_sample()) settings.aovs = kAovId | kAovShadow;
   const std::vector<Truth>& truths = truths_.of(scene_.job, *pool_);
   stop_if_asked();
-  const std::vector<Frame> frames = render_frames(scene_.job, settings, *pool_);
+  const std::vector<Frame> frames = render_to_compare(scene_.job, *pool_);
   stop_if_asked();
   double worst = -INFINITY;
   for (size_t i = 0; i < frames.size(); ++i)

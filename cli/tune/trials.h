@@ -50,7 +50,7 @@ class Trials {
   void set_job_of(const Choice& choice, const std::vector<int>& frames);
   double worst_error();  ///< of the job
 
-  RenderOptions base_;
+  const RenderOptions base_;
   const Goal goal_;
   const int truth_samples_;
   const bool quiet_;

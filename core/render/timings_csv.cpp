@@ -2,38 +2,23 @@
 
 #include <fmt/format.h>
 
+#include "core/render/frame_columns.h"
+
 namespace hybridrt {
 namespace {
 
-constexpr PassId kThreadTimed[] = {PassId::id, PassId::mark, PassId::trace, PassId::shade};
-
 constexpr int kCheckpointSpacing = 50;  // times what the last one took
 
-std::string line_of(int frame, double write_ms, FrameTimings timings, const TraceStats& s) {
+std::string line_of(int frame, double write_ms, FrameTimings timings, const TraceStats& stats) {
   timings[PassId::write] = write_ms;
-  std::string line = fmt::format("{}", frame);
-  for (double ms : timings.pass_ms) line += fmt::format(",{:.3f}", ms);
-  line += fmt::format(",{:.3f},{},{},{},{},{},{},{},{:.3f},{:.3f},{},{:.3f},{},{}", timings.wall_ms, s.pixels_hit,
-                      s.pixels_marked, s.pixels_reflective, s.pixels_refractive, s.shadow_rays, s.reflection_rays,
-                      s.refraction_rays, s.shadow_cpu_ms, s.secondary_cpu_ms, s.primary_shadow_rays, s.repair_ms,
-                      s.pixels_suspect, s.pixels_repaired);
-  for (PassId pass : kThreadTimed) line += fmt::format(",{:.3f}", timings.threads_ms[static_cast<size_t>(pass)]);
-  line += '\n';
-  return line;
+  return fmt::format("{},{}\n", frame, fmt::join(frame_cells(timings, stats), ","));
 }
 
 }  // namespace
 
 TimingsCsv::TimingsCsv(const std::string& path)
     : file_(path == "-" ? OutputFile::standard_output() : OutputFile(path)) {
-  std::string header = "frame";
-  for (std::string_view pass : kPassNames) header += fmt::format(",{}_ms", pass);
-  header +=
-      ",wall_ms,pixels_hit,pixels_marked,pixels_reflective,pixels_refractive,shadow_rays,reflection_rays,"
-      "refraction_rays,shadow_cpu_ms,secondary_cpu_ms,primary_shadow_rays,repair_ms,pixels_suspect,pixels_repaired";
-  for (PassId pass : kThreadTimed) header += fmt::format(",{}_cpu_ms", kPassNames[static_cast<size_t>(pass)]);
-  header += '\n';
-  file_.write(header);
+  file_.write(fmt::format("frame,{}\n", fmt::join(frame_columns(), ",")));
 }
 
 void TimingsCsv::add(const Frame& frame, int files) {
