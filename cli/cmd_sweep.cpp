@@ -69,7 +69,7 @@ std::vector<Axis> axes_of(const SweepOptions& options) {
   }
   std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) {
     const bool a_is_scene = a.name == "scene", b_is_scene = b.name == "scene";
-    return a_is_scene != b_is_scene ? a_is_scene : a.kind > b.kind;
+    return a_is_scene != b_is_scene ? a_is_scene : a.affects > b.affects;
   });
   return axes;
 }

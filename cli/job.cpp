@@ -53,6 +53,11 @@ Framing set_loaded_scene(RenderJob& job, const RenderOptions& o, const SceneSour
   return framing;
 }
 
+std::string scene_key(const RenderOptions& o) {
+  return fmt::format("{}\n{} {} {} {}", o.scene, o.up_axis ? name_in(kUpAxes, *o.up_axis) : "", o.linear_colors,
+                     o.ground, o.reflection_percent.value_or(-1));
+}
+
 void set_camera_and_lights(RenderJob& job, const RenderOptions& o, const SceneSource& source, const Framing& framing,
                            ThreadPool& pool, Warnings& warnings) {
   const UpAxis up_axis = o.up_axis ? *o.up_axis : source.up_axis.value_or(UpAxis::y);

@@ -26,6 +26,9 @@ void set_settings(RenderJob& job, const RenderOptions& options, const SceneSourc
 Framing set_loaded_scene(RenderJob& job, const RenderOptions& options, const SceneSource& source, ThreadPool& pool,
                          Warnings& warnings, LoadProgress* progress = nullptr);
 
+/// What decides the scene of set_loaded_scene(): options with equal keys can share it.
+std::string scene_key(const RenderOptions& options);
+
 /// Camera, lights and the ambient light, after the other two. Uses job.caster, or sets it if it must build one.
 void set_camera_and_lights(RenderJob& job, const RenderOptions& options, const SceneSource& source,
                            const Framing& framing, ThreadPool& pool, Warnings& warnings);

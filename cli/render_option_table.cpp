@@ -37,19 +37,55 @@ RenderOption choice(const char* name, const char* value, const char* group, cons
           [=, &table](Options& o, Text t) { o.settings.*member = parse_name(name, table, t); }};
 }
 
-void append(std::vector<RenderOption>& table, std::vector<RenderOption> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(table));
+void append(std::vector<RenderOption>& table, std::vector<RenderOption> more, Affects affects) {
+  for (RenderOption& option : more) {
+    option.affects = affects;
+    table.push_back(std::move(option));
+  }
 }
 
-std::vector<RenderOption> camera_and_light() {
-  const char* group = "Camera and light";
-  const double fov_deg = Camera().fov_y_rad * 180 / kPi;
+std::vector<RenderOption> scene() {
+  const char* group = "Scene";
   return {
       {"--up-axis", "AXIS", group,
        fmt::format("Which axis of the scene's files points up: {} (default {}). Cameras and lights are given in the "
                    "files' axes too",
                    names_in(kUpAxes), name_in(kUpAxes, UpAxis())),
        [](Options& o, Text t) { o.up_axis = parse_name("--up-axis", kUpAxes, t); }},
+      {"--mesh-colors", "SPACE", group,
+       fmt::format("What the colours of vertices and faces in OBJ, PLY, OFF and STL files are: {} (default {})",
+                   names_in(kMeshColors), name_in(kMeshColors, MeshColors())),
+       [](Options& o, Text t) { o.linear_colors = parse_name("--mesh-colors", kMeshColors, t) == MeshColors::linear; }},
+      {"--ground", "", group, "Put a floor under the scene",
+       [](Options& o, Text t) { o.ground = parse_flag("--ground", t); }},
+      {"--reflection-percent", "P", group,
+       "Make P % of the triangles mirrors of reflectivity 0.5, by whole components or patches, chosen by a fixed "
+       "shuffle; the scene's own mirrors are unset first (default: as the scene is)",
+       [](Options& o, Text t) { o.reflection_percent = parse_percent("--reflection-percent", t); }},
+  };
+}
+
+std::vector<RenderOption> frames() {
+  const char* group = "Frames";
+  return {
+      {"--input-format", "F", "Scene",
+       fmt::format("What a SCENE of - (standard input) is: {}", names_in(kMeshFormatNames)),
+       [](Options& o, Text t) { o.input_format = parse_name("--input-format", kMeshFormatNames, t); }},
+      {"--frames", "SPEC", group,
+       fmt::format("100 (frames 1-100), 1-100, 1-100:5, 1-10,20,30-40 (default {})", Options().frames),
+       [](Options& o, Text t) { o.frames = t; }},
+      {"--sequence", "A-B", group, "The sequence that the frames belong to (default: first to last frame)",
+       [](Options& o, Text t) { o.sequence = parse_sequence(t); }},
+      {"--aov", "LIST", group,
+       "Also write any of " + names_in(kAovs) + " (as separate files; as layers of an .exr), separated by commas",
+       [](Options& o, Text t) { o.settings.aovs = parse_aovs("--aov", t); }},
+  };
+}
+
+std::vector<RenderOption> camera_and_light() {
+  const char* group = "Camera and light";
+  const double fov_deg = Camera().fov_y_rad * 180 / kPi;
+  return {
       text("--camera", "FILE", group, "Camera path: keyframes or an orbit, as JSON", &Options::camera),
       {"--eye", "X,Y,Z", group, "Still camera: its position (default: an orbit)",
        [](Options& o, Text t) { o.eye = parse_vector("--eye", t); }},
@@ -75,32 +111,15 @@ std::vector<RenderOption> picture() {
   const char* group = "Picture";
   const RenderSettings defaults;
   return {
-      {"--frames", "SPEC", group,
-       fmt::format("100 (frames 1-100), 1-100, 1-100:5, 1-10,20,30-40 (default {})", Options().frames),
-       [](Options& o, Text t) { o.frames = t; }},
-      {"--sequence", "A-B", group, "The sequence that the frames belong to (default: first to last frame)",
-       [](Options& o, Text t) { o.sequence = parse_sequence(t); }},
       {"--size", "WxH", group, fmt::format("Pixels (default {}x{})", defaults.width_px, defaults.height_px),
        [](Options& o, Text t) { parse_size("--size", t, o.settings); }},
-      {"--input-format", "F", group,
-       fmt::format("What a SCENE of - (standard input) is: {}", names_in(kMeshFormatNames)),
-       [](Options& o, Text t) { o.input_format = parse_name("--input-format", kMeshFormatNames, t); }},
-      {"--mesh-colors", "SPACE", group,
-       fmt::format("What the colours of vertices and faces in OBJ, PLY, OFF and STL files are: {} (default {})",
-                   names_in(kMeshColors), name_in(kMeshColors, MeshColors())),
-       [](Options& o, Text t) { o.linear_colors = parse_name("--mesh-colors", kMeshColors, t) == MeshColors::linear; }},
       {"--crop", "X,Y,W,H", group, "Render this part of the frame only",
        [](Options& o, Text t) { o.settings.crop = parse_crop("--crop", t); }},
       {"--background", "R,G,B", group,
        "Colour where nothing is seen, linear; replaces the scene's (default a blue grey)",
        [](Options& o, Text t) { o.background = parse_color("--background", t); }},
-      {"--ground", "", group, "Put a floor under the scene",
-       [](Options& o, Text t) { o.ground = parse_flag("--ground", t); }},
       {"--alpha", "", group, "A fourth channel: coverage (PNG, TIFF: colours as they are; EXR: times coverage)",
        [](Options& o, Text t) { o.settings.alpha = parse_flag("--alpha", t); }},
-      {"--aov", "LIST", group,
-       "Also write any of " + names_in(kAovs) + " (as separate files; as layers of an .exr), separated by commas",
-       [](Options& o, Text t) { o.settings.aovs = parse_aovs("--aov", t); }},
   };
 }
 
@@ -127,10 +146,6 @@ std::vector<RenderOption> method() {
       number("--samples", "N", group, "Samples per pixel, in a fixed pattern", &RenderSettings::samples, 1, 4096),
       number("--reflection-depth", "D", group, "Generations of rays after the first", &RenderSettings::reflection_depth,
              0, 64),
-      {"--reflection-percent", "P", group,
-       "Make P % of the triangles mirrors of reflectivity 0.5, by whole components or patches, chosen by a fixed "
-       "shuffle; the scene's own mirrors are unset first (default: as the scene is)",
-       [](Options& o, Text t) { o.reflection_percent = parse_percent("--reflection-percent", t); }},
       choice("--accel", "A", group, names_in(kAccels), &RenderSettings::accel, kAccels),
   };
 }
@@ -167,10 +182,12 @@ std::vector<RenderOption> machine() {
 
 std::vector<RenderOption> render_option_table() {
   std::vector<RenderOption> table;
-  append(table, camera_and_light());
-  append(table, picture());
-  append(table, method());
-  append(table, machine());
+  append(table, scene(), Affects::scene);
+  append(table, frames(), Affects::run);
+  append(table, camera_and_light(), Affects::view);
+  append(table, picture(), Affects::view);
+  append(table, method(), Affects::quality);
+  append(table, machine(), Affects::quality);
   return table;
 }
 

@@ -6,7 +6,6 @@
 #include <map>
 #include <optional>
 
-#include "cli/render_option_table.h"
 #include "core/base/error.h"
 #include "core/load/text_scan.h"
 
@@ -15,26 +14,20 @@ namespace {
 
 constexpr size_t kMostValues = 10'000;  // per axis
 
-// Options that change how a frame is made and not what it should look like.
-constexpr std::string_view kQuality[] = {
-    "method",  "shadows",    "blur-kernel",      "shadow-map", "samples", "shadow-warp", "reflection-depth", "accel",
-    "threads", "max-memory", "frames-in-flight", "gl",         "device",  "shaders",     "require-hardware"};
-constexpr std::string_view kScene[] = {"scene", "up-axis", "mesh-colors", "ground", "reflection-percent"};
+constexpr std::string_view kSceneAxis = "scene";
 constexpr std::string_view kParameters[] = {"triangles", "reflective"};
-constexpr std::string_view kNoAxes[] = {"frames", "sequence", "aov", "input-format"};
 
-template <size_t N>
-bool is_among(const std::string_view (&names)[N], std::string_view name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+bool is_parameter(const std::string& name) {
+  return std::find(std::begin(kParameters), std::end(kParameters), name) != std::end(kParameters);
 }
 
 bool is_procedural(const std::string& scene) { return scene.starts_with("scene:"); }
 
 std::vector<std::string> axis_names(bool procedural) {
-  std::vector<std::string> names = {"scene"};
+  std::vector<std::string> names = {std::string(kSceneAxis)};
   if (procedural) names.insert(names.end(), std::begin(kParameters), std::end(kParameters));
   for (const RenderOption& option : render_option_table())
-    if (!is_among(kNoAxes, option.name + 2)) names.emplace_back(option.name + 2);
+    if (option.affects != Affects::run) names.emplace_back(option.name + 2);
   return names;
 }
 
@@ -69,13 +62,14 @@ bool append_range(const std::string& axis, const std::string& text, std::vector<
   return true;
 }
 
-AxisKind kind_of(const std::string& name, bool is_parameter) {
-  if (is_parameter || is_among(kScene, name)) return AxisKind::scene;
-  return is_among(kQuality, name) ? AxisKind::quality : AxisKind::view;
+Affects affects_of(const std::string& axis) {
+  for (const RenderOption& option : render_option_table())
+    if (axis == option.name + 2) return option.affects;
+  return Affects::scene;  // the scene, and its parameters
 }
 
 void apply(const Axis& axis, const std::string& value, RenderOptions& options) {
-  if (axis.name == "scene")
+  if (axis.name == kSceneAxis)
     options.scene = value;
   else if (axis.is_parameter)
     options.scene += fmt::format(",{}={}", axis.name, value);  // the last one counts
@@ -110,8 +104,8 @@ Axis parse_axis(const std::string& text, const std::string& scene) {
                 fmt::join(names, ", "));
   if (equals == text.npos || equals + 1 == text.size())
     throw error(ErrorKind::usage, "--over {}: has no values; write {}=VALUE,VALUE", text, axis.name);
-  axis.is_parameter = is_among(kParameters, axis.name);
-  axis.kind = kind_of(axis.name, axis.is_parameter);
+  axis.is_parameter = is_parameter(axis.name);
+  axis.affects = affects_of(axis.name);
   const std::string values = text.substr(equals + 1);
   for (const std::string& part : split(values, values.find(';') == values.npos ? ',' : ';'))
     if (!append_range(axis.name, part, axis.values)) axis.values.push_back(part);
@@ -120,7 +114,7 @@ Axis parse_axis(const std::string& text, const std::string& scene) {
     RenderOptions trial;
     trial.scene = scene;
     apply(axis, value, trial);  // throws for a value that the option does not take
-    if (axis.is_parameter || axis.name == "scene") parse_scene_source(trial.scene);
+    if (axis.is_parameter || axis.name == kSceneAxis) parse_scene_source(trial.scene);
   }
   return axis;
 }

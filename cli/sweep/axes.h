@@ -4,22 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "cli/render_options.h"
+#include "cli/render_option_table.h"
 
 namespace hybridrt::cli {
-
-/// What changes with an axis's values.
-enum class AxisKind {
-  quality,  ///< how well and how fast frames are made: the truth stays
-  view,     ///< what is seen of the scene: the truth changes
-  scene,    ///< the scene itself: it is loaded for each value
-};
 
 /// One dimension of a sweep: a render option, the scene, or a parameter of a procedural scene.
 struct Axis {
   std::string name;                 ///< "blur-kernel"
   std::vector<std::string> values;  ///< as the option takes them; at least one
-  AxisKind kind = AxisKind::quality;
+  Affects affects = Affects::quality;
   bool is_parameter = false;  ///< of the procedural scene
 
   std::string column() const;  ///< "blur_kernel"

@@ -22,7 +22,7 @@ Json axes_json(const std::vector<Axis>& axes) {
     all.push_back({{"name", axis.name},
                    {"column", axis.column()},
                    {"values", axis.values},
-                   {"changes_truth", axis.kind != AxisKind::quality}});
+                   {"changes_truth", axis.affects != Affects::quality}});
   return all;
 }
 

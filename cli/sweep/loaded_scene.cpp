@@ -18,13 +18,6 @@ bool needs_float_caster(const RenderJob& job) {
 
 }  // namespace
 
-std::string load_key(const SweepSetting& setting, const std::vector<Axis>& axes) {
-  std::string key = setting.options.scene;
-  for (size_t a = 0; a < axes.size(); ++a)
-    if (axes[a].kind == AxisKind::scene) key += "\n" + setting.values[a];
-  return key;
-}
-
 LoadedScene load_scene_of(const SweepSetting& setting, ThreadPool& pool, Warnings& warnings) {
   LoadedScene scene;
   const Stopwatch loading;

@@ -15,9 +15,6 @@ struct LoadedScene {
   std::map<Accel, SceneCaster<float>> casters;  ///< those that were needed
 };
 
-/// What decides how a scene is loaded; equal for settings that can share a LoadedScene.
-std::string load_key(const SweepSetting& setting, const std::vector<Axis>& axes);
-
 /// Throws as make_render_job().
 LoadedScene load_scene_of(const SweepSetting& setting, ThreadPool& pool, Warnings& warnings);
 

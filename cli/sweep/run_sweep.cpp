@@ -215,7 +215,7 @@ SweepOutcome run_sweep(const SweepRequest& request, const SweepSettings& setting
   std::vector<std::vector<const SweepSetting*>> groups;
   std::map<std::string, size_t> group_of;
   for (const SweepSetting& setting : settings.settings) {
-    const auto [at, is_new] = group_of.try_emplace(load_key(setting, request.axes), groups.size());
+    const auto [at, is_new] = group_of.try_emplace(scene_key(setting.options), groups.size());
     if (is_new) groups.emplace_back();
     groups[at->second].push_back(&setting);
   }

@@ -85,6 +85,15 @@ class Rows(SweepTestCase):
                          [("scene:sphe", "none"), ("scene:sphe", "exact"), ("scene:ches", "none"), ("scene:ches", "exact")])
         self.assertEqual(len({s["truth"] for s in self.facts()["settings"]}), 2)
 
+    def test_files_of_options_are_an_axis_whatever_they_hold(self):
+        self.write("matt.json", '{"reflection-percent": 0}')
+        self.write("mirrors.json", '{"reflection-percent": 100, "shadows": "none"}')
+        self.sweep("--over", "config=matt.json,mirrors.json", "--rounds", "1")
+        matt, mirrors = self.rows()
+        self.assertEqual((matt["pixels_reflective"], matt["shadows"]), ("0", "exact"))
+        self.assertEqual((mirrors["pixels_reflective"], mirrors["shadows"]), (mirrors["pixels_hit"], "none"))
+        self.assertEqual(len({s["truth"] for s in self.facts()["settings"]}), 2)
+
     def test_threads_are_an_axis(self):
         self.sweep("--over", "threads=1,2", "--rounds", "1")
         self.assertEqual([row["threads"] for row in self.rows()], ["1", "2"])
