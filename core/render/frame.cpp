@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/timing.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
@@ -11,6 +12,17 @@ TraceJob make_trace_job(const Scene& scene, const FramePlan& plan, const RenderS
   TraceJob job{scene, plan.view, {}, plan.shadows, settings.reflection_depth, settings.ambient, settings.background};
   for (const DirectionalLight& light : plan.lights) job.lights.push_back({light});
   return job;
+}
+
+void render_each(const NextFrame& next, const DeliverFrame& deliver,
+                 const std::function<Frame(const FrameRequest&)>& render) {
+  Stopwatch since_last_frame;
+  while (const std::optional<FrameRequest> request = next()) {
+    Frame frame = render(*request);
+    frame.timings.wall_ms = since_last_frame.elapsed_ms();
+    since_last_frame.restart();
+    deliver(std::move(frame));
+  }
 }
 
 Image picture_from_rgba(const vec4* rgba, int width_px, int height_px, const PixelRect& kept, bool with_alpha,

@@ -29,6 +29,10 @@ TraceJob make_trace_job(const Scene& scene, const FramePlan& plan, const RenderS
 using NextFrame = std::function<std::optional<FrameRequest>()>;
 using DeliverFrame = std::function<void(Frame&&)>;
 
+/// Delivers what `render` makes of each request, one after the other, with its wall time.
+void render_each(const NextFrame& next, const DeliverFrame& deliver,
+                 const std::function<Frame(const FrameRequest&)>& render);
+
 /// The part `kept` of pixels whose alpha is one of HRT_ALPHA_* as a picture with three channels, or with four: then
 /// alpha is 1 where a surface is seen, and all is 0 elsewhere. Counts `pixels_hit` and `pixels_lit` in `stats`. Throws
 /// Error(device) for any other alpha: such pixels were never written.

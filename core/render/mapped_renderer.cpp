@@ -119,13 +119,7 @@ void render_mapped(const Scene& scene, const SceneFacts& facts, const Topology& 
                    const RenderSettings& settings, const RayCaster<float>* caster, ThreadPool& pool,
                    const NextFrame& next, const DeliverFrame& deliver) {
   MappedRenderer renderer(scene, facts, topology, settings, caster, pool);
-  Stopwatch since_last_frame;
-  while (const std::optional<FrameRequest> request = next()) {
-    Frame frame = renderer.render(*request);
-    frame.timings.wall_ms = since_last_frame.elapsed_ms();
-    since_last_frame.restart();
-    deliver(std::move(frame));
-  }
+  render_each(next, deliver, [&](const FrameRequest& request) { return renderer.render(request); });
 }
 
 }  // namespace hybridrt

@@ -17,9 +17,8 @@ void render_reference(const Scene& scene, const SceneFacts& facts, const Topolog
   std::vector<uint8_t> lit;
 
   KeptLightBuffers light_buffers(scene, topology, pool);
-  Stopwatch since_last_frame;
-  while (const std::optional<FrameRequest> request = next()) {
-    const FramePlan plan = make_frame_plan(scene, facts, *request, settings);
+  render_each(next, deliver, [&](const FrameRequest& request) {
+    const FramePlan plan = make_frame_plan(scene, facts, request, settings);
     TraceJob job = make_trace_job(scene, plan, settings);
     Frame frame;
     frame.number = plan.number;
@@ -33,10 +32,8 @@ void render_reference(const Scene& scene, const SceneFacts& facts, const Topolog
     frame.picture = picture_from_rgba(picture.data(), part.width_px, part.height_px, kept, settings.alpha, frame.stats);
     frame.timings[PassId::download] = unpacking.elapsed_ms();
     frame.aovs = make_aovs(scene, plan.view, kept, {plan.lights, ids, {}, lit, {}}, settings.aovs);
-    frame.timings.wall_ms = since_last_frame.elapsed_ms();
-    since_last_frame.restart();
-    deliver(std::move(frame));
-  }
+    return frame;
+  });
 }
 
 }  // namespace hybridrt

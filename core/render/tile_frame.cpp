@@ -36,7 +36,7 @@ TileWorker::TileWorker(const TileJob& job, TileRaster& raster)
 
 void TileWorker::render(int tile) {
   PassClock clock(times_ms_);
-  raster_.draw(scene_, *job_.clusters, job_.bins, tile);
+  raster_.draw(scene_, job_.clusters, job_.bins, tile);
   clock.charge(PassId::id);
   const DepthTile& seen = raster_.depth();
   seen_ = {seen.triangle, seen.x_px, seen.y_px, kTileStride};

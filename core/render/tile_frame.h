@@ -27,7 +27,7 @@ struct TilePixels {
 struct TileJob {
   const FramePlan& plan;
   const TraceJob& trace;
-  const Clusters* clusters;  ///< null if primary rays find what is seen
+  const Clusters& clusters;
   const FrameBins& bins;
   const RayCaster<float>* caster;
   TilePixels pixels;

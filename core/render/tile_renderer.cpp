@@ -53,46 +53,52 @@ Tile part_of_picture(const View& view, size_t part) {
   return {x, y, std::min(x + TileWorker::kPart_px, view.width_px), std::min(y + TileWorker::kPart_px, view.height_px)};
 }
 
-}  // namespace
+class TileRenderer {
+ public:
+  TileRenderer(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
+               const RayCaster<float>* caster, ThreadPool& pool)
+      : scene_(scene),
+        facts_(facts),
+        settings_(settings),
+        caster_(caster),
+        pool_(pool),
+        by_rays_(settings.method == Method::raytrace),
+        light_buffers_(scene, topology, pool) {
+    if (!by_rays_) clusters_ = make_clusters(scene, pool);
+    memory_.raster.tiles.resize(pool.size());
+  }
 
-void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
-                  const RayCaster<float>* caster, ThreadPool& pool, const NextFrame& next,
-                  const DeliverFrame& deliver) {
-  HRT_CHECK(!uses_shadow_map(settings));
-  const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
-  HRT_CHECK(part.width_px == kept.width_px && part.height_px == kept.height_px);
-  const bool by_rays = settings.method == Method::raytrace;
-  const Clusters clusters = by_rays ? Clusters() : make_clusters(scene, pool);
-  KeptLightBuffers light_buffers(scene, topology, pool);
-  FrameMemory memory;
-  memory.raster.tiles.resize(pool.size());
-  Stopwatch since_last_frame;
-  while (const std::optional<FrameRequest> request = next()) {
-    const FramePlan plan = make_frame_plan(scene, facts, *request, settings);
-    TraceJob trace = make_trace_job(scene, plan, settings);
+  Frame render(const FrameRequest& request) {
+    const FramePlan plan = make_frame_plan(scene_, facts_, request, settings_);
+    TraceJob trace = make_trace_job(scene_, plan, settings_);
     Frame frame;
     frame.number = plan.number;
-    if (plan.light_buffers) frame.timings[PassId::shadow_map] = light_buffers.answer(trace);
+    if (plan.light_buffers) frame.timings[PassId::shadow_map] = light_buffers_.answer(trace);
+    if (!by_rays_) {
+      const Stopwatch binning;
+      bin_clusters(scene_, clusters_, plan.view, pool_, memory_.raster.bins);
+      frame.timings[PassId::id] = binning.elapsed_ms();
+    }
+    frame.picture = Image::uninitialized(plan.view.width_px, plan.view.height_px, settings_.alpha ? 4 : 3);
+    draw(plan, trace, frame);
+    frame.aovs = make_aovs(scene_, plan.view, kept_of_rendered(settings_),
+                           {plan.lights, memory_.ids, memory_.mask, memory_.lit, memory_.traced}, settings_.aovs);
+    return frame;
+  }
 
-    const Stopwatch binning;
-    if (!by_rays) bin_clusters(scene, clusters, plan.view, pool, memory.raster.bins);
-    frame.timings[PassId::id] = by_rays ? 0 : binning.elapsed_ms();
-
+ private:
+  /// Passes 2 to 5: tiles of the rasteriser, or parts of the picture whose triangles rays find.
+  void draw(const FramePlan& plan, const TraceJob& trace, Frame& frame) {
     const Stopwatch drawing;
-    frame.picture = Image::uninitialized(part.width_px, part.height_px, settings.alpha ? 4 : 3);
-    const TileJob job{plan,
-                      trace,
-                      by_rays ? nullptr : &clusters,
-                      memory.raster.bins,
-                      caster,
-                      memory.pixels_for(plan, settings.aovs, frame.picture)};
-    std::vector<std::optional<TileWorker>> workers(pool.size());
-    pool.run(by_rays ? part_count(plan.view) : memory.raster.bins.order.size(), [&](size_t i, int worker) {
-      if (!workers[worker]) workers[worker].emplace(job, memory.raster.tiles[worker]);
-      if (by_rays)
+    const FrameBins& bins = memory_.raster.bins;
+    const TileJob job{plan, trace, clusters_, bins, caster_, memory_.pixels_for(plan, settings_.aovs, frame.picture)};
+    std::vector<std::optional<TileWorker>> workers(pool_.size());
+    pool_.run(by_rays_ ? part_count(plan.view) : bins.order.size(), [&](size_t i, int worker) {
+      if (!workers[worker]) workers[worker].emplace(job, memory_.raster.tiles[worker]);
+      if (by_rays_)
         workers[worker]->render_by_rays(part_of_picture(plan.view, i));
       else
-        workers[worker]->render(static_cast<int>(memory.raster.bins.order[i]));
+        workers[worker]->render(static_cast<int>(bins.order[i]));
     });
     PassTimes threads_ms{};
     for (const std::optional<TileWorker>& worker : workers) {
@@ -101,13 +107,29 @@ void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& t
       for (size_t pass = 0; pass < threads_ms.size(); ++pass) threads_ms[pass] += worker->times_ms()[pass];
     }
     set_timings(frame.timings, threads_ms, drawing.elapsed_ms());
-
-    frame.aovs = make_aovs(scene, plan.view, kept, {plan.lights, memory.ids, memory.mask, memory.lit, memory.traced},
-                           settings.aovs);
-    frame.timings.wall_ms = since_last_frame.elapsed_ms();
-    since_last_frame.restart();
-    deliver(std::move(frame));
   }
+
+  const Scene& scene_;
+  const SceneFacts& facts_;
+  const RenderSettings& settings_;
+  const RayCaster<float>* caster_;
+  ThreadPool& pool_;
+  const bool by_rays_;  ///< method raytrace
+  Clusters clusters_;   ///< empty then
+  KeptLightBuffers light_buffers_;
+  FrameMemory memory_;
+};
+
+}  // namespace
+
+void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
+                  const RayCaster<float>* caster, ThreadPool& pool, const NextFrame& next,
+                  const DeliverFrame& deliver) {
+  HRT_CHECK(!uses_shadow_map(settings));
+  const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
+  HRT_CHECK(part.width_px == kept.width_px && part.height_px == kept.height_px);
+  TileRenderer renderer(scene, facts, topology, settings, caster, pool);
+  render_each(next, deliver, [&](const FrameRequest& request) { return renderer.render(request); });
 }
 
 }  // namespace hybridrt

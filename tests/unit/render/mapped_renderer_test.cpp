@@ -5,55 +5,21 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "core/render/render_job.h"
-#include "tests/support/load_scene.h"
+#include "tests/support/cpu_frames.h"
 #include "tests/support/textured_scenes.h"
 
 namespace hybridrt {
 namespace {
 
-constexpr uint32_t kAllAovs = kAovId | kAovShadow | kAovMarked | kAovTraced | kAovDepth | kAovNormal;
-constexpr int kWidth_px = 330, kHeight_px = 200;
-
-RenderJob job_of(Scene scene, ShadowMode shadows, int frames = 1) {
-  static ThreadPool pool(2);
-  RenderJob job;
-  Warnings warnings;
-  set_scene(job, std::move(scene), pool, warnings);
-  job.settings.width_px = kWidth_px, job.settings.height_px = kHeight_px;
-  job.settings.forms = PassForms::cpu;
+template <typename SceneOrName>
+RenderJob job_of(const SceneOrName& scene, ShadowMode shadows, int frames = 1) {
+  RenderJob job = cpu_job_of(scene, frames);
   job.settings.shadows = shadows;
   job.settings.shadow_map_px = 1024;
-  job.settings.aovs = kAllAovs;
-  job.frames = parse_frame_spec(fmt::format("1-{}", frames));
-  job.motion.sequence = {1, frames, 1};
-  job.motion.course = default_orbit(job.scene, job.scene.bounds, 1.65, kPi / 4);
-  job.lights.lights = {{glm::normalize(dvec3(0.5, 0.9, 0.3))}, {glm::normalize(dvec3(-0.7, 0.5, 0.6)), vec3(0.4f)}};
   return job;
 }
 
-RenderJob job_of(const std::string& argument, ShadowMode shadows, int frames = 1) {
-  ThreadPool pool(2);
-  Warnings warnings;
-  return job_of(load_scene(argument, pool, warnings), shadows, frames);
-}
-
 constexpr const char* kSpheres = "scene:spheres,triangles=4000,reflective=30";
-
-std::vector<Frame> frames_of(const RenderJob& job, int threads = 2) {
-  ThreadPool pool(threads);
-  std::vector<Frame> frames;
-  run(
-      job, pool, [](const RunFacts& facts) { EXPECT_FALSE(facts.gl); }, [] { return false; },
-      [&](Frame&& frame) { frames.push_back(std::move(frame)); });
-  return frames;
-}
-
-const ImageLayer& layer(const Frame& frame, const std::string& name) {
-  for (const ImageLayer& aov : frame.aovs)
-    if (aov.name == name) return aov;
-  throw std::runtime_error("no AOV " + name);
-}
 
 size_t differing(const std::vector<float>& a, const std::vector<float>& b) {
   size_t count = 0;
@@ -78,7 +44,7 @@ TEST(MappedRenderer, ShadowsAreNearlyThoseOfRays) {
       EXPECT_EQ(layer(frame, "depth").values, layer(truth, "depth").values);
       wrong[blur] = differing(layer(frame, "shadow").values, layer(truth, "shadow").values);
     }
-    EXPECT_LT(wrong[0], kWidth_px * kHeight_px / 100);
+    EXPECT_LT(wrong[0], 330 * 200 / 100);
     EXPECT_LT(10 * wrong[1], wrong[0]);
   }
 }
@@ -96,8 +62,9 @@ TEST(MappedRenderer, ACropIsAPartOfTheWholeFrame) {
         ASSERT_EQ(part.picture.width_px, crop.width_px);
         for (int y = 0; y < crop.height_px; ++y)
           for (int i = 0; i < 3 * crop.width_px; ++i)
-            ASSERT_EQ(part.picture.data[static_cast<size_t>(3 * crop.width_px * y + i)],
-                      whole.picture.data[static_cast<size_t>(3 * (kWidth_px * (y + crop.y_px) + crop.x_px) + i)])
+            ASSERT_EQ(
+                part.picture.data[static_cast<size_t>(3 * crop.width_px * y + i)],
+                whole.picture.data[static_cast<size_t>(3 * (whole.picture.width_px * (y + crop.y_px) + crop.x_px) + i)])
                 << name_of(shadows) << ' ' << i << ' ' << y;
       }
 }

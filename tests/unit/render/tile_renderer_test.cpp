@@ -3,56 +3,16 @@
 #include "core/render/tile_renderer.h"
 
 #include <cmath>
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/image/compare.h"
 #include "core/render/aov.h"
-#include "core/render/render_job.h"
-#include "tests/support/load_scene.h"
+#include "tests/support/cpu_frames.h"
 #include "tests/support/textured_scenes.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
 namespace {
-
-constexpr uint32_t kAllAovs = kAovId | kAovShadow | kAovMarked | kAovTraced | kAovDepth | kAovNormal;
-
-RenderJob job_of(Scene scene, int frames) {
-  static ThreadPool pool(2);
-  RenderJob job;
-  Warnings warnings;
-  set_scene(job, std::move(scene), pool, warnings);
-  job.settings.width_px = 330, job.settings.height_px = 200;
-  job.settings.forms = PassForms::cpu;
-  job.settings.aovs = kAllAovs;
-  job.frames = parse_frame_spec(fmt::format("1-{}", frames));
-  job.motion.sequence = {1, frames, 1};
-  job.motion.course = default_orbit(job.scene, job.scene.bounds, 1.65, kPi / 4);
-  job.lights.lights = {{glm::normalize(dvec3(0.5, 0.9, 0.3))}, {glm::normalize(dvec3(-0.7, 0.5, 0.6)), vec3(0.4f)}};
-  return job;
-}
-
-RenderJob job_of(const std::string& argument, int frames) {
-  ThreadPool pool(2);
-  Warnings warnings;
-  return job_of(load_scene(argument, pool, warnings), frames);
-}
-
-std::vector<Frame> frames_of(const RenderJob& job, int threads = 2) {
-  ThreadPool pool(threads);
-  std::vector<Frame> frames;
-  run(
-      job, pool, [](const RunFacts& facts) { EXPECT_FALSE(facts.gl); }, [] { return false; },
-      [&](Frame&& frame) { frames.push_back(std::move(frame)); });
-  return frames;
-}
-
-const ImageLayer& layer(const Frame& frame, const std::string& name) {
-  for (const ImageLayer& aov : frame.aovs)
-    if (aov.name == name) return aov;
-  throw std::runtime_error("no AOV " + name);
-}
 
 /// Ids and shadows must be the reference's at every pixel, colours the same up to single precision's secondary hits.
 void expect_as_the_reference(RenderJob job, ShadowMode shadows) {
@@ -87,17 +47,17 @@ TEST(TileRenderer, GivesTheReferencesIdsShadowsAndColours) {
        {"scene:chess,triangles=10000", "scene:spheres,triangles=4000,reflective=30", "scene:thin,triangles=20000"})
     for (const ShadowMode shadows : {ShadowMode::exact, ShadowMode::rays, ShadowMode::none}) {
       SCOPED_TRACE(fmt::format("{} {}", scene, name_of(shadows)));
-      expect_as_the_reference(job_of(scene, 2), shadows);
+      expect_as_the_reference(cpu_job_of(scene, 2), shadows);
     }
 }
 
 TEST(TileRenderer, TexturesAndHoles) {
-  RenderJob job = job_of(textured_room(), 2);
+  RenderJob job = cpu_job_of(textured_room(), 2);
   expect_as_the_reference(job, ShadowMode::exact);
 }
 
 TEST(TileRenderer, ACropIsAPartOfTheWholeFrame) {
-  RenderJob job = job_of("scene:spheres,triangles=4000,reflective=30", 1);
+  RenderJob job = cpu_job_of("scene:spheres,triangles=4000,reflective=30", 1);
   const Frame whole = frames_of(job).at(0);
   job.settings.crop = PixelRect{37, 21, 150, 99};
   const Frame part = frames_of(job).at(0);
@@ -109,7 +69,7 @@ TEST(TileRenderer, ACropIsAPartOfTheWholeFrame) {
 }
 
 TEST(TileRenderer, ThePictureIsTheSameForAnyNumberOfThreads) {
-  RenderJob job = job_of("scene:spheres,triangles=2000,reflective=30", 2);
+  RenderJob job = cpu_job_of("scene:spheres,triangles=2000,reflective=30", 2);
   job.settings.width_px = 300, job.settings.height_px = 150, job.settings.samples = 2;
   const std::vector<Frame> one = frames_of(job, 1);
   for (int round = 0; round < 40; ++round) {
@@ -119,7 +79,7 @@ TEST(TileRenderer, ThePictureIsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(TileRenderer, AlphaIsCoverage) {
-  RenderJob job = job_of("scene:spheres,triangles=4000", 1);
+  RenderJob job = cpu_job_of("scene:spheres,triangles=4000", 1);
   job.settings.alpha = true;
   const Frame frame = frames_of(job).at(0);
   ASSERT_EQ(frame.picture.channels, 4);
