@@ -8,24 +8,26 @@
 #include "cli/commands.h"
 #include "core/load/obj_writer.h"
 #include "core/load/scene_json_writer.h"
-#include "core/procedural/procedural.h"
+#include "core/load/scene_source.h"
 
 namespace hybridrt::cli {
 namespace {
 
 struct SceneArguments {
-  std::string name;
-  ProceduralOptions options;
-  std::string output;
+  std::string name, triangles, reflective, output;
 };
 
 ExitCode write_scene(const SceneArguments& arguments) {
-  const std::filesystem::path output = arguments.output.empty() ? arguments.name + ".obj" : arguments.output;
-  const ProceduralScene& procedural = *find_procedural(arguments.name);
-  const Scene scene = procedural.make(arguments.options);
+  std::string argument = "scene:" + arguments.name;
+  if (!arguments.triangles.empty()) argument += ",triangles=" + arguments.triangles;
+  if (!arguments.reflective.empty()) argument += ",reflective=" + arguments.reflective;
+  const SceneSource source = parse_scene_source(argument);
+  const ProceduralScene& procedural = *source.procedural;
+  const std::filesystem::path output = arguments.output.empty() ? short_name(source) + ".obj" : arguments.output;
+  const Scene scene = procedural.make(source.procedural_values);
   const WrittenObj written = write_obj(scene, output);
   const std::filesystem::path json = std::filesystem::path(output).replace_extension(".json");
-  write_scene_json(json, output.filename().string(), procedural.shot());
+  write_scene_json(json, output.filename().string(), procedural.shot(source.procedural_values));
   const auto reflects = [&](uint32_t material) { return scene.materials[material].reflective(); };
   fmt::print("{}: {} triangles ({} of them reflect), {} bytes; materials in {}, camera and lights in {}\n",
              output.string(), scene.triangle_count(),
@@ -34,18 +36,16 @@ ExitCode write_scene(const SceneArguments& arguments) {
   return ExitCode::ok;
 }
 
-std::vector<std::string> names() {
-  std::vector<std::string> names;
-  for (const ProceduralScene& scene : procedural_scenes()) names.emplace_back(scene.name);
-  return names;
-}
-
-std::string about_triangles() {
-  std::string text = "Total number, met within 5 % (";
-  for (const ProceduralScene& s : procedural_scenes())
-    text += fmt::format("{}{}: {} to {}, default {}", &s == procedural_scenes().data() ? "" : "; ", s.name,
-                        s.fewest_triangles, s.most_triangles, s.default_triangles);
-  return text + ")";
+/// What scenes there are, and their parameters, a line each.
+std::string about_scenes() {
+  std::string text = "Scenes, and the KEYs that each takes:\n";
+  for (const ProceduralScene& scene : procedural_scenes()) {
+    text += fmt::format("  {}: {}\n", scene.name, scene.about);
+    for (const SceneParameter& p : scene.parameters)
+      text += fmt::format("    {}: {} ({:.15g} to {:.15g}{})\n", p.name, p.about, p.least, p.most,
+                          p.standard ? fmt::format(", default {:.15g}", *p.standard) : ", or as designed");
+  }
+  return text;
 }
 
 }  // namespace
@@ -53,19 +53,16 @@ std::string about_triangles() {
 void add_scene_command(CLI::App& app, Command& chosen) {
   CLI::App* scene = app.add_subcommand("scene", "Write a procedural scene as OBJ, MTL and scene JSON");
   const auto arguments = std::make_shared<SceneArguments>();
-  scene->add_option("NAME", arguments->name, "Which one")
+  scene->add_option("NAME", arguments->name, "Which one, and what it should be like")
       ->required()
-      ->type_name("SCENE")
-      ->check(CLI::IsMember(names()));
-  scene->add_option("--triangles", arguments->options.triangles, about_triangles());
-  scene->add_option("--reflective", arguments->options.reflective_percent,
-                    "Percent of the connected components that are mirrors, all else opaque and matt (spheres: 10 % "
-                    "of the balls; chess and thin without it: as designed)");
+      ->type_name("SCENE[,KEY=VALUE]");
+  scene->add_option("--triangles", arguments->triangles, "The same as NAME,triangles=N")->type_name("N");
+  scene->add_option("--reflective", arguments->reflective, "The same as NAME,reflective=PERCENT")->type_name("PERCENT");
   scene->add_option("-o,--output", arguments->output, "The .obj file (default: NAME.obj); the others beside it");
-  scene->footer(
-      "Examples:\n"
-      "  hybridrt scene chess\n"
-      "  hybridrt scene spheres --triangles 500000 --reflective 10 -o balls.obj");
+  scene->footer(about_scenes() +
+                "\nExamples:\n"
+                "  hybridrt scene chess\n"
+                "  hybridrt scene spheres,triangles=500k,reflective=10 -o balls.obj");
   scene->callback([arguments, &chosen] { chosen = [arguments] { return write_scene(*arguments); }; });
 }
 

@@ -15,17 +15,18 @@ namespace {
 constexpr size_t kMostValues = 10'000;  // per axis
 
 constexpr std::string_view kSceneAxis = "scene";
-constexpr std::string_view kParameters[] = {"triangles", "reflective"};
 
-bool is_parameter(const std::string& name) {
-  return std::find(std::begin(kParameters), std::end(kParameters), name) != std::end(kParameters);
+/// The scene that is made, if it is one.
+const ProceduralScene* procedural_of(const std::string& scene) {
+  constexpr std::string_view kPrefix = "scene:";
+  if (!scene.starts_with(kPrefix)) return nullptr;
+  return find_procedural(std::string_view(scene).substr(kPrefix.size(), scene.find(',') - kPrefix.size()));
 }
 
-bool is_procedural(const std::string& scene) { return scene.starts_with("scene:"); }
-
-std::vector<std::string> axis_names(bool procedural) {
+std::vector<std::string> axis_names(const ProceduralScene* procedural) {
   std::vector<std::string> names = {std::string(kSceneAxis)};
-  if (procedural) names.insert(names.end(), std::begin(kParameters), std::end(kParameters));
+  if (procedural)
+    for (const SceneParameter& parameter : procedural->parameters) names.emplace_back(parameter.name);
   for (const RenderOption& option : render_option_table())
     if (option.affects != Affects::run) names.emplace_back(option.name + 2);
   return names;
@@ -98,13 +99,14 @@ Axis parse_axis(const std::string& text, const std::string& scene) {
   const size_t equals = text.find('=');
   Axis axis;
   axis.name = text.substr(0, equals);
-  const std::vector<std::string> names = axis_names(is_procedural(scene));
+  const ProceduralScene* procedural = procedural_of(scene);
+  const std::vector<std::string> names = axis_names(procedural);
   if (std::find(names.begin(), names.end(), axis.name) == names.end())
     throw error(ErrorKind::usage, "--over {}: there is no axis '{}'; there are: {}", text, axis.name,
                 fmt::join(names, ", "));
   if (equals == text.npos || equals + 1 == text.size())
     throw error(ErrorKind::usage, "--over {}: has no values; write {}=VALUE,VALUE", text, axis.name);
-  axis.is_parameter = is_parameter(axis.name);
+  axis.is_parameter = procedural && procedural->parameter(axis.name);
   axis.affects = affects_of(axis.name);
   const std::string values = text.substr(equals + 1);
   for (const std::string& part : split(values, values.find(';') == values.npos ? ',' : ';'))

@@ -37,22 +37,27 @@ double parse_count(const std::string& argument, std::string_view key, std::strin
   return unit * parse_value(argument, key, value);
 }
 
-/// Reads `key=value` into `options`.
-void parse_option(const std::string& argument, std::string_view part, ProceduralOptions& options) {
+/// "triangles, reflective".
+std::string parameter_names(const ProceduralScene& scene) {
+  std::string names;
+  for (const SceneParameter& parameter : scene.parameters)
+    names.append(names.empty() ? "" : ", ").append(parameter.name);
+  return names;
+}
+
+/// Reads `key=value` into `values`.
+void parse_parameter(const std::string& argument, std::string_view part, const ProceduralScene& scene,
+                     SceneValues& values) {
   const size_t equals = part.find('=');
   const std::string_view key = part.substr(0, equals);
   const std::string_view value = equals == part.npos ? std::string_view() : part.substr(equals + 1);
-  if (key == "triangles") {
-    const double triangles = parse_count(argument, key, value);
-    if (triangles != std::floor(triangles) || std::abs(triangles) > 1e15)
-      throw error(ErrorKind::usage, "{}: triangles needs a whole number, not {}", argument, in_quotes(value));
-    options.triangles = static_cast<int64_t>(triangles);
-  } else if (key == "reflective") {
-    options.reflective_percent = parse_value(argument, key, value);
-  } else {
-    throw error(ErrorKind::usage, "{}: unknown key {}; allowed: triangles=N, reflective=PERCENT", argument,
-                in_quotes(key));
-  }
+  const SceneParameter* parameter = scene.parameter(key);
+  if (!parameter)
+    throw error(ErrorKind::usage, "{}: unknown key {}; allowed, each as KEY=NUMBER: {}", argument, in_quotes(key),
+                parameter_names(scene));
+  const double number = parameter->is_count ? parse_count(argument, key, value) : parse_value(argument, key, value);
+  check_value(scene, *parameter, number);
+  values.insert_or_assign(std::string(key), number);
 }
 
 SceneSource parse_procedural(const std::string& argument) {
@@ -63,8 +68,8 @@ SceneSource parse_procedural(const std::string& argument) {
   if (!source.procedural)
     throw error(ErrorKind::usage, "{}: there is no procedural scene {}; there are: {}", argument, in_quotes(name),
                 procedural_names());
-  while (!rest.empty()) parse_option(argument, take_part(rest), source.procedural_options);
-  const SceneShot shot = source.procedural->shot();
+  while (!rest.empty()) parse_parameter(argument, take_part(rest), *source.procedural, source.procedural_values);
+  const SceneShot shot = source.procedural->shot(source.procedural_values);
   if (shot.camera) source.shot = orbit_through(*shot.camera);
   source.lights = shot.lights;
   source.ambient = shot.ambient;
@@ -111,10 +116,8 @@ Scene load_scene(const SceneSource& source, std::optional<UpAxis> up_axis, Threa
     return load_meshes(source.meshes, up, pool, warnings, watch, source.kinds, source.names_begin_in);
   if (up != UpAxis::y) throw error(ErrorKind::usage, "{}: its y axis points up; leave --up-axis out", source.argument);
   const ProceduralScene& scene = *source.procedural;
-  const int64_t triangles =
-      std::min(source.procedural_options.triangles.value_or(scene.default_triangles), scene.most_triangles);
-  require_room_for_scene(source.argument, making_bytes(triangles), watch.most_bytes);
-  return scene.make(source.procedural_options);
+  require_room_for_scene(source.argument, making_bytes(scene.triangles(source.procedural_values)), watch.most_bytes);
+  return scene.make(source.procedural_values);
 }
 
 }  // namespace hybridrt

@@ -25,7 +25,7 @@ struct SceneSource {
   std::string argument;  ///< as given, for messages
 
   const ProceduralScene* procedural = nullptr;  ///< null: `meshes` are read
-  ProceduralOptions procedural_options;
+  SceneValues procedural_values;
   std::vector<std::filesystem::path> meshes;  ///< at least one, or procedural
 
   std::filesystem::path names_begin_in;   ///< where names in the meshes begin; empty: beside each mesh
@@ -44,9 +44,10 @@ struct SceneSource {
 };
 
 /// `argument`: the path of a mesh file or of a scene JSON (scene_file.h), or a procedural scene (procedural.h):
-/// `scene:chess`, say, optionally followed by `,triangles=N` and `,reflective=P`. A scene JSON is read and parsed here
-/// and nowhere else. Throws Error (usage) for an unknown scene name, key or value, naming what is allowed; Error
-/// (input) for a file that is missing or of a kind that we do not read; and as read_scene_file() does.
+/// `scene:chess`, say, optionally followed by `,KEY=VALUE` for any of its parameters, the last one of a key counts. A
+/// scene JSON is read and parsed here and nowhere else. Throws Error (usage) for an unknown scene name, key or value,
+/// naming what is allowed; Error (input) for a file that is missing or of a kind that we do not read; and as
+/// read_scene_file() does.
 SceneSource parse_scene_source(const std::string& argument);
 
 /// What files that are made from the scene are called: its file's name without folder and extension, or the name of a

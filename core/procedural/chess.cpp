@@ -65,19 +65,9 @@ struct Solid {
   std::function<uint32_t(bool mirror)> material;
 };
 
-void check(const ChessOptions& options) {
-  if (options.triangles < ChessOptions::kFewestTriangles || options.triangles > ChessOptions::kMostTriangles)
-    throw error(ErrorKind::usage, "chess: triangles must be {} to {}, not {}", ChessOptions::kFewestTriangles,
-                ChessOptions::kMostTriangles, options.triangles);
-  const double percent = options.reflective_percent.value_or(0);
-  if (!(percent >= 0 && percent <= 100))
-    throw error(ErrorKind::usage, "chess: reflective must be 0 to 100 (percent), not {}", percent);
-}
-
 }  // namespace
 
 Scene make_chess(const ChessOptions& options) {
-  check(options);
   const std::vector<ChessMan> men = immortal_game();
   Kit kit = fit_kit(men, options.triangles);
   const TriangleMesh knight = carve_knight(knight_triangles(kit.fineness));

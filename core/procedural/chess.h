@@ -23,7 +23,7 @@ struct ChessOptions {
 /// Squares are one unit wide, y is up, the middle of the board's surface is the origin, White sits at +z. The position
 /// is the Immortal Game (Anderssen - Kieseritzky, London 1851) after White's 18th move, with the five captured pieces
 /// beside the board. All components are closed meshes with outward winding and a small gap between them. A pure
-/// function: same options, same scene. Throws Error (usage), saying what is allowed.
+/// function: same options, same scene.
 Scene make_chess(const ChessOptions& options);
 
 /// From behind White's queenside, lit from the left.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,18 +11,28 @@
 
 namespace hybridrt {
 
-/// Options that every procedural scene takes; absent: the scene's default.
-struct ProceduralOptions {
-  std::optional<int64_t> triangles;
-  std::optional<double> reflective_percent;
+/// A number that a procedural scene takes.
+struct SceneParameter {
+  std::string_view name, about;
+  double least = 0, most = 0;
+  std::optional<double> standard;  ///< absent: as the scene is designed
+  bool is_count = false;           ///< whole
 };
 
-/// A scene that is made, not read.
+/// Values by their parameters' names. What is absent has the parameter's standard value.
+using SceneValues = std::map<std::string, double, std::less<>>;
+
+/// A scene that is made, not read. `make` and `shot` take values that check_value() accepts.
 struct ProceduralScene {
   std::string_view name, about;
-  int64_t fewest_triangles, most_triangles, default_triangles;
-  Scene (*make)(const ProceduralOptions&);
-  SceneShot (*shot)();
+  std::span<const SceneParameter> parameters;
+  Scene (*make)(const SceneValues&);
+  SceneShot (*shot)(const SceneValues&);
+
+  /// Null if it takes none of that name.
+  const SceneParameter* parameter(std::string_view name) const;
+  /// How many triangles it will have, about.
+  int64_t triangles(const SceneValues& values) const;
 };
 
 std::span<const ProceduralScene> procedural_scenes();
@@ -31,5 +42,8 @@ const ProceduralScene* find_procedural(std::string_view name);
 
 /// "chess, spheres, thin", for messages.
 std::string procedural_names();
+
+/// Throws Error(usage), saying what is allowed, for a value that the scene's parameter cannot have.
+void check_value(const ProceduralScene& scene, const SceneParameter& parameter, double value);
 
 }  // namespace hybridrt

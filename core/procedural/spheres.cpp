@@ -123,12 +123,6 @@ std::vector<uint32_t> paint_balls(const SpheresPlan& plan, Scene& scene) {
 }  // namespace
 
 SpheresPlan plan_spheres(const SpheresOptions& options) {
-  if (options.triangles < SpheresOptions::kFewestTriangles || options.triangles > SpheresOptions::kMostTriangles)
-    throw error(ErrorKind::usage, "spheres: triangles must be {} to {}, not {}", SpheresOptions::kFewestTriangles,
-                SpheresOptions::kMostTriangles, options.triangles);
-  if (!(options.reflective_percent >= 0 && options.reflective_percent <= 100))
-    throw error(ErrorKind::usage, "spheres: reflective must be 0 to 100 (percent), not {}", options.reflective_percent);
-
   SpheresPlan plan;
   // 10 x 10 balls at 500,000 triangles; thirty-two times the triangles give twice the side.
   const auto total = static_cast<double>(options.triangles);

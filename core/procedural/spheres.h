@@ -29,13 +29,13 @@ struct SpheresPlan {
   int64_t triangles() const { return balls() * ball_triangles() + int64_t{2} * ground_x * ground_z; }
 };
 
-/// Throws Error (usage), saying what is allowed. A pure function: same options, same plan.
+/// A pure function: same options, same plan.
 SpheresPlan plan_spheres(const SpheresOptions& options);
 
 /// Unit spacing, y up, the ground at y = 0 with its middle at the origin; balls hover 2 % of their diameter above it,
 /// so that they do not touch it. First the ground, then the balls row by row. Balls are closed meshes with outward
 /// winding and exact normals, which all balls share. Materials: ground and five matt colours, each also as a mirror
-/// (illum 3, Ks 0.5); only those that are used. Throws as plan_spheres() does.
+/// (illum 3, Ks 0.5); only those that are used.
 Scene make_spheres(const SpheresOptions& options);
 
 /// The default orbit and light.

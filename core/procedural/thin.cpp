@@ -151,15 +151,6 @@ void add_grass(std::array<TriangleMesh, 2 * kGrass.size()>& meshes, int64_t blad
   }
 }
 
-void check(const ThinOptions& options) {
-  if (options.triangles < ThinOptions::kFewestTriangles || options.triangles > ThinOptions::kMostTriangles)
-    throw error(ErrorKind::usage, "thin: triangles must be {} to {}, not {}", ThinOptions::kFewestTriangles,
-                ThinOptions::kMostTriangles, options.triangles);
-  const double percent = options.reflective_percent.value_or(0);
-  if (!(percent >= 0 && percent <= 100))
-    throw error(ErrorKind::usage, "thin: reflective must be 0 to 100 (percent), not {}", percent);
-}
-
 uint32_t find_material(Scene& scene, const Paint& paint, bool mirror) {
   const Material made = painted(paint.name, paint.kd, mirror);
   for (uint32_t i = 0; i < scene.materials.size(); ++i)
@@ -171,7 +162,6 @@ uint32_t find_material(Scene& scene, const Paint& paint, bool mirror) {
 }  // namespace
 
 Scene make_thin(const ThinOptions& options) {
-  check(options);
   const std::vector<Part> parts = make_parts(options.triangles);
   int64_t left = options.triangles;
   for (const Part& part : parts) left -= count_triangles(part.patches);

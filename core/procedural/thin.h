@@ -21,7 +21,7 @@ struct ThinOptions {
 
 /// A garden 20 units square, y up, the ground around y = 0. All components are closed meshes with outward winding;
 /// blades and posts begin slightly above the ground, so that they do not touch it. A pure function: same options, same
-/// scene. Throws Error (usage), saying what is allowed.
+/// scene.
 Scene make_thin(const ThinOptions& options);
 
 /// Over the grass toward the fence, a low sun on the left.

@@ -30,7 +30,7 @@ BenchScene load_bench_scene(const std::string& argument, ThreadPool& pool) {
   BenchScene made;
   const SceneSource source = parse_scene_source(argument);
   made.scene = load_scene(source, std::nullopt, pool, warnings);
-  const SceneShot shot = source.procedural ? source.procedural->shot() : SceneShot();
+  const SceneShot shot = source.procedural ? source.procedural->shot(source.procedural_values) : SceneShot();
   const Camera camera =
       shot.camera
           ? *shot.camera

@@ -27,7 +27,7 @@ TEST(SceneSource, SaysWhatIsAllowed) {
   const std::tuple<std::string, ErrorKind, std::string> cases[] = {
       {"scene:cubes", ErrorKind::usage, "spheres"},
       {"scene:", ErrorKind::usage, "spheres"},
-      {"scene:spheres,colour=3", ErrorKind::usage, "triangles=N, reflective=PERCENT"},
+      {"scene:spheres,colour=3", ErrorKind::usage, "triangles, reflective"},
       {"scene:spheres,triangles=many", ErrorKind::usage, "'many'"},
       {"scene:spheres,triangles=1000.5", ErrorKind::usage, "whole number"},
       {"scene:spheres,triangles", ErrorKind::usage, "triangles needs a number"},
@@ -61,10 +61,10 @@ TEST(SceneSource, KnowsChessAndThin) {
 
 TEST(SceneSource, TellsHowAProceduralSceneWantsToBeSeen) {
   for (const ProceduralScene& scene : procedural_scenes()) {
-    const SceneSource source = parse_scene_source("scene:" + std::string(scene.name) + ",triangles=20000");
+    const SceneSource source = parse_scene_source("scene:" + std::string(scene.name));
     EXPECT_EQ(source.procedural, &scene);
-    EXPECT_EQ(source.procedural_options.triangles, 20'000);
-    const SceneShot shot = scene.shot();
+    EXPECT_TRUE(source.procedural_values.empty());
+    const SceneShot shot = scene.shot({});
     EXPECT_EQ(source.shot.has_value(), shot.camera.has_value());
     if (shot.camera) {
       const Camera first = camera_on_orbit(std::get<Orbit>(*source.shot), 0);

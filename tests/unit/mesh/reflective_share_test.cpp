@@ -21,8 +21,7 @@ size_t mirrors_in(const Scene& scene) {
 double percent_of(const Scene& scene) { return 100.0 * mirrors_in(scene) / scene.triangle_count(); }
 
 Scene procedural(const char* name, int64_t triangles) {
-  Scene scene = find_procedural(name)->make({triangles, {}});
-  return scene;
+  return find_procedural(name)->make({{"triangles", static_cast<double>(triangles)}});
 }
 
 /// The scene with that share, by the topology of the one that it came from.

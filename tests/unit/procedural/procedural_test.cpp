@@ -18,6 +18,11 @@ namespace {
 class Procedural : public testing::TestWithParam<const char*> {
  protected:
   const ProceduralScene& scene() const { return *find_procedural(GetParam()); }
+  Scene make(double triangles, std::optional<double> reflective = {}) const {
+    SceneValues values = {{"triangles", triangles}};
+    if (reflective) values["reflective"] = *reflective;
+    return scene().make(values);
+  }
 };
 INSTANTIATE_TEST_SUITE_P(Scenes, Procedural, testing::Values("chess", "thin"),
                          [](const auto& name) { return std::string(name.param); });
@@ -25,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Procedural, testing::Values("chess", "thin"),
 TEST_P(Procedural, IsClosedAndFacesOutwardAtAnySize) {
   for (const int64_t triangles : {10'000, 13'000, 37'000, 150'000, 400'000}) {
     SCOPED_TRACE(triangles);
-    const Scene made = scene().make({triangles, {}});
+    const Scene made = make(static_cast<double>(triangles));
     EXPECT_NEAR(static_cast<double>(made.triangle_count()), static_cast<double>(triangles), 0.05 * triangles);
     expect_closed(made);
     expect_outward(made);
@@ -34,12 +39,11 @@ TEST_P(Procedural, IsClosedAndFacesOutwardAtAnySize) {
 
 TEST_P(Procedural, MeetsTheCountFromEndToEnd) {
   for (double wanted = 10'000; wanted < 150'000; wanted *= 1.23)
-    ASSERT_NEAR(static_cast<double>(scene().make({static_cast<int64_t>(wanted), 10}).triangle_count()), wanted,
-                0.05 * wanted);
+    ASSERT_NEAR(static_cast<double>(make(std::floor(wanted), 10).triangle_count()), wanted, 0.05 * wanted);
 }
 
 TEST_P(Procedural, ComponentsDoNotTouch) {
-  const Scene made = scene().make({60'000, {}});
+  const Scene made = make(60'000);
   ThreadPool pool(1);
   const std::vector<uint32_t> same = weld_positions(made.positions, pool);
   for (uint32_t i = 0; i < same.size(); ++i) ASSERT_EQ(same[i], i) << "two vertices in one place";
@@ -49,7 +53,7 @@ TEST_P(Procedural, MirrorsAreNestedWholeComponents) {
   std::set<uint32_t> before;
   size_t components = 0;
   for (const double percent : {0.0, 0.01, 10.0, 30.0, 75.0, 100.0}) {
-    const Scene made = scene().make({12'000, percent});
+    const Scene made = make(12'000, percent);
     const std::vector<uint32_t> component = components_of(made);
     std::set<uint32_t> all, mirrors, others;
     for (uint32_t t = 0; t < made.triangle_count(); ++t) {
@@ -78,13 +82,13 @@ TEST_P(Procedural, MirrorsAreNestedWholeComponents) {
 TEST_P(Procedural, SameOptionsSameBytesAndReadsBack) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path / "a.obj", json = folder.path / "a.json";
-  const Scene made = scene().make({40'000, {}});
+  const Scene made = make(40'000);
   write_obj(made, path);
-  write_scene_json(json, "a.obj", scene().shot());
+  write_scene_json(json, "a.obj", scene().shot({}));
   const std::string bytes = file_contents(path), json_bytes = file_contents(json);
-  const Scene again = scene().make({40'000, {}});
+  const Scene again = make(40'000);
   write_obj(again, path);
-  write_scene_json(json, "a.obj", scene().shot());
+  write_scene_json(json, "a.obj", scene().shot({}));
   EXPECT_EQ(file_contents(path), bytes);
   EXPECT_EQ(file_contents(json), json_bytes);
   for (const char* part :
@@ -113,23 +117,27 @@ TEST_P(Procedural, SameOptionsSameBytesAndReadsBack) {
 }
 
 TEST_P(Procedural, HasAShot) {
-  const SceneShot shot = scene().shot();
+  const SceneShot shot = scene().shot({});
   ASSERT_TRUE(shot.camera && shot.lights && shot.lights->size() == 1);
   EXPECT_NEAR(glm::length(shot.lights->front().toward), 1, 1e-12);
   EXPECT_GT(shot.camera->eye_world.y, 0);
 }
 
-TEST_P(Procedural, RefusesWhatIsOutOfRange) {
-  for (const ProceduralOptions& bad :
-       {ProceduralOptions{scene().fewest_triangles - 1, {}}, ProceduralOptions{scene().most_triangles + 1, {}},
-        ProceduralOptions{{}, -1.0}, ProceduralOptions{{}, 101.0}, ProceduralOptions{{}, std::nan("")}}) {
-    try {
-      scene().make(bad);
-      ADD_FAILURE();
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::usage);
+TEST(ProceduralScenes, RefuseWhatIsOutOfRange) {
+  for (const ProceduralScene& scene : procedural_scenes())
+    for (const SceneParameter& parameter : scene.parameters) {
+      check_value(scene, parameter, parameter.least);
+      check_value(scene, parameter, parameter.most);
+      for (const double bad : {std::nextafter(parameter.least, -INFINITY), std::nextafter(parameter.most, INFINITY),
+                               double{NAN}, double{INFINITY}}) {
+        try {
+          check_value(scene, parameter, bad);
+          ADD_FAILURE() << scene.name << " " << parameter.name << " " << bad;
+        } catch (const Error& error) {
+          EXPECT_EQ(error.kind(), ErrorKind::usage);
+        }
+      }
     }
-  }
 }
 
 TEST(Chess, IsOfWoodGlassAndMetalByDesign) {

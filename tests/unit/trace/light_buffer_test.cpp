@@ -129,9 +129,7 @@ class LightBufferOnProcedural : public testing::TestWithParam<const char*> {};
 
 TEST_P(LightBufferOnProcedural, AnswersAsTheReferenceCaster) {
   ThreadPool pool(2);
-  ProceduralOptions options;
-  options.triangles = 30000;
-  const Scene scene = find_procedural(GetParam())->make(options);
+  const Scene scene = find_procedural(GetParam())->make({{"triangles", 30000}});
   const Sheets sheets = make_sheets(scene, build_topology(scene, pool), pool);
   const KdTree tree = build_kd_tree(scene, pool);
   const auto reference = make_reference_caster(tree);
