@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/option_values.h"
+#include "cli/stability/run_stability.h"
 #include "cli/standard_streams.h"
 #include "cli/sweep/charts.h"
 #include "cli/sweep/machine_load.h"
@@ -99,6 +100,12 @@ double require_quiet_machine(const SweepOptions& options) {
   return busy;
 }
 
+void claim_rows(FileClaims& claims, const fs::path& rows) {
+  if (claims.claim(rows) == FileClaims::Answer::taken)
+    throw error(ErrorKind::output, "another run is writing {}; wait for it, or choose another folder for -o",
+                rows.string());
+}
+
 /// Without them the rows stand.
 void draw_charts_if_possible(const fs::path& folder, bool quiet) {
   try {
@@ -108,8 +115,28 @@ void draw_charts_if_possible(const fs::path& folder, bool quiet) {
   }
 }
 
+constexpr const char* kStabilitySize = "384x288";
+
+/// --preset stability: scenes of its own, errors only.
+ExitCode measure_stability(const SweepOptions& given, const std::vector<std::string>& command_line) {
+  require_free_options(given.render);
+  if (!given.over.empty() || given.truth_samples || !given.truth.empty())
+    throw error(ErrorKind::usage, "--preset stability has axes and truths of its own; leave --over and --truth out");
+  const std::vector<FailureSweep> sweeps = failure_sweeps(given.render.scene);
+  RenderOptions base = given.render;
+  if (!is_given(base, "--size")) set_render_option(base, "--size", kStabilitySize);
+  FileClaims claims;
+  claim_rows(claims, fs::path(given.folder) / "stability.csv");
+  if (!run_stability(sweeps, base, command_line, given.folder, given.quiet)) return interrupted_or(ExitCode::ok);
+  if (!given.no_charts) draw_charts_if_possible(given.folder, given.quiet);
+  return ExitCode::ok;
+}
+
 ExitCode sweep(const SweepOptions& given, const std::vector<std::string>& command_line) {
   catch_signals();
+  if (given.preset == name_in(kPresets, Preset::stability)) return measure_stability(given, command_line);
+  if (given.render.scene.empty())
+    throw error(ErrorKind::usage, "sweep: which SCENE? Only --preset stability has its own");
   if (given.render.scene == "-" || given.render.input_format)
     throw error(ErrorKind::usage, "a sweep reads its scene several times, and standard input only once; name a file");
   const SweepOptions options = with_preset(given);
@@ -120,9 +147,7 @@ ExitCode sweep(const SweepOptions& given, const std::vector<std::string>& comman
                     settings.left_out.size(), settings.left_out.size() + settings.settings.size(),
                     fmt::join(settings.left_out, ", ")));
   FileClaims claims;
-  if (claims.claim(request.rows()) == FileClaims::Answer::taken)
-    throw error(ErrorKind::output, "another run is writing {}; wait for it, or choose another folder for -o",
-                request.rows().string());
+  claim_rows(claims, request.rows());
   const double busy = require_quiet_machine(options);
   const SweepOutcome outcome = run_sweep(request, settings, busy, options.quiet);
   if (outcome.stopped) {
@@ -140,6 +165,7 @@ void add_sweep_command(CLI::App& app, const std::vector<std::string>& command_li
   CLI::App* command = app.add_subcommand("sweep", "Measure time and error over options; write rows, charts, a report");
   auto options = std::make_shared<SweepOptions>();
   add_render_options(*command, options->render);
+  command->get_option("scene")->required(false);
   const char* group = "Sweep";
   command
       ->add_option("--over", options->over,
@@ -180,7 +206,8 @@ void add_sweep_command(CLI::App& app, const std::vector<std::string>& command_li
       "Examples:\n"
       "  hybridrt sweep scene:chess --preset pareto -o out/pareto\n"
       "  hybridrt sweep car.obj --over reflection-percent=0:100:10 --over method=hybrid,raytrace -o out/mirrors\n"
-      "  hybridrt sweep scene:thin --over shadows=map,blur,exact --over shadow-map=512:8192:*2 -o out/maps");
+      "  hybridrt sweep scene:thin --over shadows=map,blur,exact --over shadow-map=512:8192:*2 -o out/maps\n"
+      "  hybridrt sweep --preset stability -o out/stability");
   command->callback([options, command_line, &chosen] { chosen = [=] { return sweep(*options, command_line); }; });
 }
 

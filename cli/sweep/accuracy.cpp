@@ -70,6 +70,24 @@ Accuracy measure_accuracy(const Frame& frame, const Truth& truth) {
   return accuracy;
 }
 
+Flicker count_flicker(const Frame& frame, const Frame& before, const Truth& truth, const Truth& truth_before) {
+  const Image shown = displayed(frame.picture), shown_before = displayed(before.picture);
+  const auto channels = static_cast<size_t>(shown.channels);
+  Flicker flicker;
+  for (size_t pixel = 0; pixel < shown.pixel_count(); ++pixel) {
+    bool changes = false, differs = false;
+    for (size_t i = channels * pixel; i < channels * (pixel + 1); ++i) {
+      const double change = double{shown.data[i]} - shown_before.data[i];
+      const double true_change = double{truth.picture.data[i]} - truth_before.picture.data[i];
+      changes = changes || std::abs(true_change) > kOff;
+      differs = differs || std::abs(change - true_change) > kOff;
+    }
+    flicker.true_changes += changes;
+    flicker.false_changes += differs;
+  }
+  return flicker;
+}
+
 Image amplified_difference(const Frame& frame, const Truth& truth) {
   return linear_from_srgb(difference_image(displayed(frame.picture), truth.picture, kDifferenceAmplification));
 }

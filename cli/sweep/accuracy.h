@@ -23,6 +23,13 @@ std::vector<Frame> render_to_compare(RenderJob& job, ThreadPool& pool);
 /// `frame` with the layers `id` and `shadow` if it has them. Throws Error(input) for a truth of another size.
 Accuracy measure_accuracy(const Frame& frame, const Truth& truth);
 
+/// Pixels that change from the frame before to this one by more than 2/255 in a channel.
+struct Flicker {
+  size_t true_changes = 0;   ///< in the truth
+  size_t false_changes = 0;  ///< more, or less, than in the truth
+};
+Flicker count_flicker(const Frame& frame, const Frame& before, const Truth& truth, const Truth& truth_before);
+
 /// The difference from the truth to look at, amplified; linear, as encode_image() takes it.
 inline constexpr int kDifferenceAmplification = 8;
 Image amplified_difference(const Frame& frame, const Truth& truth);

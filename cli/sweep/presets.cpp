@@ -31,6 +31,7 @@ PresetOptions preset_options(Preset preset, const std::string& scene, int proces
         throw error(ErrorKind::usage, "--preset growth: {} has one size only; take scene:chess or another made scene",
                     scene);
       return {{"triangles=10k,100k,1M,10M", "method=hybrid,raytrace"}, {}, 0};
+    case Preset::stability: break;
   }
   return {};
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "cli/interrupt.h"
 #include "cli/standard_streams.h"
 #include "cli/sweep/visit.h"
 #include "core/base/error.h"
@@ -28,10 +27,6 @@ SweepSetting setting_of(const RenderOptions& base, const Choice& choice, const s
   if (!spec.empty()) setting.options.frames = spec;
   setting.source = source;
   return setting;
-}
-
-void stop_if_asked() {
-  if (stop_requested()) throw Stopped();
 }
 
 }  // namespace

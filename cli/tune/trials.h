@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 
+#include "cli/stopped.h"
 #include "cli/sweep/loaded_scene.h"
 #include "cli/tune/goal.h"
 
@@ -13,9 +14,6 @@ using Choice = std::map<std::string, std::string>;
 
 /// "--method raster --shadows map".
 std::string text_of(const Choice& choice);
-
-/// A signal asked to stop.
-struct Stopped {};
 
 struct Trial {
   Choice choice;

@@ -14,37 +14,18 @@
 #include "core/load/mtl_io.h"
 #include "core/load/text_scan.h"
 #include "core/mesh/normals.h"
+#include "core/scene/scene_origin.h"
 
 namespace hybridrt {
 namespace {
 
 constexpr size_t kGrain = 1 << 16;
-constexpr double kFarFromOrigin = 16;   // times the scene's size
 constexpr double kLargestScene = 1e18;  // beyond, squares of lengths leave the range of float; and below 1 / this
 
-/// The box of the vertices that triangles use, in double.
-struct WorldBox {
-  dvec3 lo{std::numeric_limits<double>::infinity()}, hi{-std::numeric_limits<double>::infinity()};
-};
-
+/// The vertices that triangles use.
 void grow(WorldBox& box, const MeshData& mesh) {
   for (const uvec3& triangle : mesh.triangle_positions)
-    for (int corner = 0; corner < 3; ++corner) {
-      const dvec3& p = mesh.positions[triangle[corner]];
-      box.lo = glm::min(box.lo, p), box.hi = glm::max(box.hi, p);
-    }
-}
-
-double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-/// The centre of the box, on a grid as coarse as the box is large: it has few bits, so p - origin is exact in double,
-/// and a small change of the box does not move it.
-dvec3 choose_origin(const WorldBox& box) {
-  const double size = largest(box.hi - box.lo);
-  const double reach = largest(glm::max(glm::abs(box.lo), glm::abs(box.hi)));
-  if (size == 0 || reach <= kFarFromOrigin * size) return dvec3(0);  // a point has no area and is refused later
-  const double grid = std::exp2(std::floor(std::log2(size)));
-  return glm::round((box.lo + (box.hi - box.lo) / 2.0) / grid) * grid;
+    for (int corner = 0; corner < 3; ++corner) box.grow(mesh.positions[triangle[corner]]);
 }
 
 enum class Fault : uint8_t { none, repeated_vertex, no_area };
@@ -228,7 +209,7 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
   const std::string all = meshes.front().data.path.string() + (meshes.size() > 1 ? " and the other meshes" : "");
   if (positions >= size_t{1} << 31)
     throw error(ErrorKind::input, "{}: {} vertices are more than the 2147483647 that can be counted", all, positions);
-  const double size = largest(box.hi - box.lo);
+  const double size = box.size();
   if (size > kLargestScene || (size > 0 && size < 1 / kLargestScene))
     throw error(ErrorKind::input, "{}: {:g} units across, which single precision cannot render; scale it", all, size);
 
@@ -237,7 +218,7 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
     scene.files.push_back(mesh.data.path.string());
     scene.files.insert(scene.files.end(), mesh.library_files.begin(), mesh.library_files.end());
   }
-  scene.origin_world = choose_origin(box);
+  scene.origin_world = choose_scene_origin(box);
   scene.positions.resize(positions);
   Textures textures;
   const bool keep_texcoords = needs_texcoords(meshes, watch);

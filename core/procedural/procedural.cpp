@@ -6,6 +6,7 @@
 #include "core/procedural/chess.h"
 #include "core/procedural/spheres.h"
 #include "core/procedural/thin.h"
+#include "core/procedural/trial_scenes.h"
 
 namespace hybridrt {
 namespace {
@@ -44,13 +45,6 @@ SceneShot shot_of(const SceneValues&) {
   return shot();
 }
 
-constexpr ProceduralScene kScenes[] = {
-    {"chess", "a game of chess in wood, glass and metal", kChess, make_with<ChessOptions, make_chess>,
-     shot_of<chess_shot>},
-    {"spheres", "a field of balls", kSpheres, make_with<SpheresOptions, make_spheres>, shot_of<spheres_shot>},
-    {"thin", "grass, wires, a fence and a grating", kThin, make_with<ThinOptions, make_thin>, shot_of<thin_shot>},
-};
-
 }  // namespace
 
 const SceneParameter* ProceduralScene::parameter(std::string_view parameter_name) const {
@@ -65,17 +59,33 @@ int64_t ProceduralScene::triangles(const SceneValues& values) const {
   return static_cast<int64_t>(given != values.end() ? given->second : count ? *count->standard : kSmallScene);
 }
 
-std::span<const ProceduralScene> procedural_scenes() { return kScenes; }
+std::span<const ProceduralScene> procedural_scenes() {
+  static const ProceduralScene kScenes[] = {
+      {"chess", "a game of chess in wood, glass and metal", kChess, make_with<ChessOptions, make_chess>,
+       shot_of<chess_shot>},
+      {"spheres", "a field of balls", kSpheres, make_with<SpheresOptions, make_spheres>, shot_of<spheres_shot>},
+      {"thin", "grass, wires, a fence and a grating", kThin, make_with<ThinOptions, make_thin>, shot_of<thin_shot>},
+      stage_scene(),
+      wires_scene(),
+      slivers_scene(),
+      sheets_scene(),
+      prism_scene(),
+      lens_scene(),
+      mirrors_scene(),
+      eye_scene(),
+  };
+  return kScenes;
+}
 
 const ProceduralScene* find_procedural(std::string_view name) {
-  for (const ProceduralScene& scene : kScenes)
+  for (const ProceduralScene& scene : procedural_scenes())
     if (scene.name == name) return &scene;
   return nullptr;
 }
 
 std::string procedural_names() {
   std::string names;
-  for (const ProceduralScene& scene : kScenes) names.append(names.empty() ? "" : ", ").append(scene.name);
+  for (const ProceduralScene& scene : procedural_scenes()) names.append(names.empty() ? "" : ", ").append(scene.name);
   return names;
 }
 

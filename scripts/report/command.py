@@ -10,6 +10,7 @@ from pathlib import Path
 from .output_file import write_atomically
 from .read_sweep import read_sweep
 from .report_error import ReportError
+from .stability import holds_stability, read_stability
 
 WORLD_IS_WRONG = 3
 
@@ -31,12 +32,10 @@ def main(arguments: Sequence[str]) -> int:
 
 def write_report(folder: Path) -> list[str]:
     """The names of the files written, in `folder`. Raises ReportError."""
+    if holds_stability(folder):
+        return _write_stability_report(folder)
     sweep = read_sweep(folder)
-    try:
-        import matplotlib.figure  # noqa: F401, the modules below need it
-    except ImportError:
-        raise ReportError("the charts need Matplotlib, which this Python has not; install python3-matplotlib "
-                          f"(Debian, Ubuntu) or run `pip install matplotlib`; the figures are in {folder / 'sweep.csv'}") from None
+    _require_matplotlib(folder / "sweep.csv")
     from .chart import png_of, svg_of
     from .draw import draw
     from .look import house_look
@@ -52,6 +51,36 @@ def write_report(folder: Path) -> list[str]:
             files[f"{chart.name}.svg"] = svg_of(chart.figure)
             files[f"{chart.name}.png"] = png_of(chart.figure)
     files["report.html"] = page(sweep, summaries, drawn, files).encode("utf-8")
+    return _write_all(folder, files)
+
+
+def _write_stability_report(folder: Path) -> list[str]:
+    stability = read_stability(folder)
+    _require_matplotlib(folder / "stability.csv")
+    from .chart import png_of, svg_of
+    from .look import house_look
+    from .stability_chart import stability_chart
+    from .stability_page import stability_page
+
+    files: dict[str, bytes] = {}
+    with house_look():
+        charts = [stability_chart(stability, trial) for trial in stability.trials]
+        for chart in charts:
+            files[f"{chart.name}.svg"] = svg_of(chart.figure)
+            files[f"{chart.name}.png"] = png_of(chart.figure)
+    files["report.html"] = stability_page(stability, charts, files).encode("utf-8")
+    return _write_all(folder, files)
+
+
+def _require_matplotlib(figures: Path) -> None:
+    try:
+        import matplotlib.figure  # noqa: F401, the charts need it
+    except ImportError:
+        raise ReportError("the charts need Matplotlib, which this Python has not; install python3-matplotlib "
+                          f"(Debian, Ubuntu) or run `pip install matplotlib`; the figures are in {figures}") from None
+
+
+def _write_all(folder: Path, files: dict[str, bytes]) -> list[str]:
     for name, content in files.items():
         write_atomically(folder / name, content)
     return list(files)
