@@ -7,6 +7,7 @@ from html import escape
 from .chart import Chart, Drawn
 from .facts_text import counted, truth_text
 from .inline_svg import inline_svg
+from .page_passes import passes_part
 from .page_pictures import pictures_part
 from .page_style import STYLE
 from .page_table import table_part
@@ -29,6 +30,7 @@ def page(sweep: Sweep, summaries: Sequence[Summary], drawn: Drawn, files: Mappin
         f"{_summary(sweep, summaries)}"
         f'<section id="charts">\n<h2>Charts</h2>\n{missing}{charts}</section>\n'
         f"{table_part(sweep, summaries, numbers_on_front(sweep, summaries))}"
+        f"{passes_part(summaries)}"
         f"{pictures_part(sweep, summaries)}"
         f"{_facts(sweep)}</main>\n</body>\n</html>\n")
 

@@ -41,6 +41,7 @@ class Summary:
     first_frame_ms: Optional[float]
     build_ms: Optional[float]
     passes: dict[str, float]
+    pass_quartiles: dict[str, Quartiles]
     reflective_percent: Optional[float]
     accuracy: Optional[Accuracy]
 
@@ -58,6 +59,7 @@ def _summary(setting: Setting) -> Summary:
         first_frame_ms=_median(setting, "first_frame_ms"),
         build_ms=_median(setting, "accel_build_ms"),
         passes={name: _median(setting, name) or 0.0 for name in PASSES},
+        pass_quartiles={name: quartiles(_known(setting, name) or [0.0]) for name in PASSES},
         reflective_percent=100 * reflective / pixels if pixels else None,
         accuracy=_accuracy(setting))
 

@@ -30,6 +30,7 @@ class FiguresTest(ReportTestCase):
         summary, = self.summaries()
         self.assertEqual(summary.wall, Quartiles(17.5, 25, 45))
         self.assertEqual(summary.passes["trace_ms"], 50)
+        self.assertEqual(summary.pass_quartiles["trace_ms"], Quartiles(35, 50, 90))
         self.assertEqual(summary.passes["id_ms"], 0)
         self.assertAlmostEqual(summary.reflective_percent, 11.5)
         self.assertIsNone(summary.accuracy)

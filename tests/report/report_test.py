@@ -11,6 +11,8 @@ import xml.etree.ElementTree as ElementTree
 from make_sweep import PRESETS, Sweep, make_sweep
 from report_case import Page, ReportTestCase, needs_matplotlib
 
+from report.number_text import ms_text
+
 SHADOWS = {"shadows": ["map", "exact", "rays"]}
 
 
@@ -68,7 +70,12 @@ class DrawnTest(ReportTestCase):
         header, *rows = Page(text).rows
         with open(self.folder / "sweep.csv", newline="") as file:
             measured = list(csv.DictReader(file))
-        self.assertEqual(len(rows), 3)
+        rows, (pass_header, *pass_rows) = rows[:3], rows[3:]
+        for row in pass_rows:
+            cells = dict(zip(pass_header, row))
+            times = sorted(float(line["trace_ms"]) for line in measured if line["setting"] == cells["no."])
+            self.assertEqual(cells["4 rays on the CPU"], f"{ms_text(times[2])} ({ms_text(times[1])}–{ms_text(times[3])})")
+        self.assertEqual((len(rows), len(pass_rows)), (3, 3))
         for row in rows:
             cells = dict(zip(header, row))
             mine = [line for line in measured if line["setting"] == cells["no."]]
