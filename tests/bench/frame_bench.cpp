@@ -76,7 +76,7 @@ void measure(const std::string& name, const BenchOptions& options, ThreadPool& p
       passes[i].push_back(frame.timings.threads_ms[i] > 0 ? frame.timings.threads_ms[i] : frame.timings.pass_ms[i]);
   }
   const double hybrid = median(hybrid_ms);
-  printf("%s,%zu,%.2f,%.2f,%.2f,%.2f,%.2f", name.c_str(), bench.scene.triangle_count(), hybrid, median(raytrace_ms),
+  printf("\"%s\",%zu,%.2f,%.2f,%.2f,%.2f,%.2f", name.c_str(), bench.scene.triangle_count(), hybrid, median(raytrace_ms),
          median(embree_ms), median(embree_ms) / hybrid, median(raytrace_ms) / hybrid);
   for (const PassId pass : {PassId::id, PassId::mark, PassId::trace, PassId::shade, PassId::download})
     printf(",%.2f", median(passes[static_cast<size_t>(pass)]));

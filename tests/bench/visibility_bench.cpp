@@ -71,7 +71,7 @@ double compare(const std::string& scene_name, const NamedView& view, const Bench
       if (round >= 0) candidate.ms.push_back(watch.elapsed_ms());
     }
   double fastest = 1e30;
-  printf("%s,%s", scene_name.c_str(), view.name);
+  printf("\"%s\",%s", scene_name.c_str(), view.name);
   for (Candidate& candidate : candidates) {
     if (&candidate != &candidates.front()) fastest = std::min(fastest, candidate.median());
     printf(",%.2f", candidate.median());
