@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/given_descriptor.h"
 #include "core/base/output_file.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/output_claims.h"
@@ -28,7 +29,8 @@ void name_tables(const OutputOptions& options, const RenderJob& job, bool range,
   const fs::path folder = common_folder(paths.pattern);
   paths.timings = options.timings.empty() ? (folder / ("timings" + part + ".csv")).string() : options.timings;
   // Beside the CSV, but not in /dev.
-  const bool is_file = paths.timings != "-" && (!fs::exists(paths.timings) || fs::is_regular_file(paths.timings));
+  const bool is_file = paths.timings != "-" && !descriptor_named_by(paths.timings) &&
+                       (!fs::exists(paths.timings) || fs::is_regular_file(paths.timings));
   paths.report = (is_file ? fs::path(paths.timings).parent_path() : folder) / ("run" + part + ".json");
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/base/given_descriptor.h"
 
 namespace hybridrt {
 namespace {
@@ -79,6 +80,7 @@ FileClaims::~FileClaims() {
 }
 
 FileClaims::Answer FileClaims::claim(const fs::path& file) {
+  if (descriptor_named_by(file)) return Answer::ours;
   std::error_code ignored;
   const fs::file_status there = fs::status(file, ignored);
   if (fs::exists(there) && !fs::is_regular_file(there)) return Answer::ours;

@@ -27,7 +27,7 @@ class FileClaims {
   FileClaims(const FileClaims&) = delete;
   FileClaims& operator=(const FileClaims&) = delete;
 
-  /// Claims one file. Devices and pipes need no claim. Throws as below.
+  /// Claims one file. Devices, pipes and given descriptors need none. Throws as below.
   [[nodiscard]] Answer claim(const std::filesystem::path& file);
 
   /// Frames `first`..`last` (>= 0) of the files in `folder` that `name` stands for; equal names are the same files. A
