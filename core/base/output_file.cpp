@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/given_descriptor.h"
+#include "core/base/real_path.h"
 
 namespace hybridrt {
 namespace {
@@ -38,9 +39,7 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
   if (fs::exists(there) && !fs::is_regular_file(there)) {
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    target_ = fs::weakly_canonical(path, problem);
-    if (problem || target_.empty()) target_ = path;
-    if (!target_.has_parent_path()) target_ = "." / target_;
+    target_ = real_path(path);
     fs::create_directories(target_.parent_path(), problem);
     if (problem) fail("make its folder", problem.value());
     temporary_ = temporary_beside(target_);
