@@ -13,6 +13,7 @@
 #include "cli/standard_streams.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
+#include "core/base/run_files.h"
 #include "core/image/compare.h"
 #include "core/image/srgb.h"
 #include "core/image_io/encode_image.h"
@@ -73,7 +74,13 @@ void print_json(const CompareOptions& options, const CompareResult& result) {
 }
 
 ExitCode compare(const CompareOptions& options) {
-  if (!options.diff.empty()) require_writable_format(options.diff);  // before the work, not after
+  if (!options.diff.empty()) {  // before the work, not after
+    require_writable_format(options.diff);
+    RunFiles files;
+    files.reads(options.image);
+    files.reads(options.reference);
+    files.writes(options.diff, "--diff");
+  }
   const Image image = read_image(options.image);
   const Image reference = read_image(options.reference);
   const CompareResult result = compare_images(image, reference, options.limits);

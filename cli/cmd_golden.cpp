@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/files_read.h"
 #include "cli/job.h"
 #include "cli/option_values.h"
 #include "cli/parse_message.h"
@@ -40,7 +41,19 @@ fs::path default_list() {
 struct CaseJob {
   std::unique_ptr<ThreadPool> pool;
   RenderJob job;
+  RunFiles read;
 };
+
+/// A file that the command is going to write, and what it is.
+struct GoldenOutput {
+  fs::path path;
+  const char* what;
+};
+
+/// Throws Error(usage) if some of what will be written is a case's scene or belongs to it.
+void require_unread(const std::vector<GoldenOutput>& outputs, const RunFiles& read) {
+  for (const GoldenOutput& output : outputs) read.require_unused(output.path, output.what);
+}
 
 /// Where a case's passes run, if `options` say so.
 void choose_gl(const GoldenOptions& options, RenderOptions& to) {
@@ -60,9 +73,11 @@ CaseJob make_case_job(const GoldenCase& golden, const GoldenOptions& options_giv
     const SceneSource source = scene_source_of(command_line);
     RenderOptions options = with_scene_settings(command_line, source);
     choose_gl(options_given, options);
-    CaseJob made{std::make_unique<ThreadPool>(thread_count(options)), {}};
+    CaseJob made{std::make_unique<ThreadPool>(thread_count(options)), {}, {}};
     Warnings warnings;
     made.job = make_render_job(options, source, *made.pool, warnings);
+    add_files_read(options, source, made.read);
+    add_files_read(made.job.scene, made.read);
     if (made.job.frames.count() != 1)
       throw error(ErrorKind::input, "{} frames; say which one, like --frames 5-5", made.job.frames.count());
     return made;
@@ -86,15 +101,22 @@ void write_picture(const fs::path& path, const Image& picture) {
   write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 
+fs::path actual_picture(const fs::path& output, const GoldenCase& golden) { return output / (golden.name + ".png"); }
+fs::path difference_picture(const fs::path& output, const GoldenCase& golden) {
+  return output / (golden.name + ".diff.png");
+}
+
 /// Throws if the case cannot be rendered at all; errors in its expected picture are a result.
-GoldenResult check(const GoldenList& list, const GoldenCase& golden, const GoldenOptions& options) {
+GoldenResult check(const GoldenList& list, const GoldenCase& golden, const GoldenOptions& options,
+                   const std::vector<GoldenOutput>& outputs) {
   const fs::path output = options.output;
   GoldenResult result;
   result.golden = golden;
   const Stopwatch stopwatch;
   const CaseJob job = make_case_job(golden, options);
+  require_unread(outputs, job.read);
   try {
-    const fs::path actual = output / (golden.name + ".png");
+    const fs::path actual = actual_picture(output, golden);
     write_picture(actual, picture_of(job));
     result.actual = actual;
     const fs::path expected = list.expected(golden);
@@ -105,7 +127,7 @@ GoldenResult check(const GoldenList& list, const GoldenCase& golden, const Golde
     const Image a = read_image(actual), b = read_image(expected);
     result.compared = compare_images(a, b, golden.limits);
     if (result.compared.measured && result.compared.max_error > 0) {
-      result.difference = output / (golden.name + ".diff.png");
+      result.difference = difference_picture(output, golden);
       Image difference = difference_image(a, b, kDifferenceAmplification);
       write_picture(result.difference, difference);
     }
@@ -123,19 +145,57 @@ void make_folder(const fs::path& folder) {
   if (problem) throw error(ErrorKind::output, "cannot make the folder {}: {}", folder.string(), problem.message());
 }
 
+fs::path list_of(const GoldenOptions& options) {
+  return options.list.empty() ? default_list() : fs::path(options.list);
+}
+
+/// The list and its scenes.
+RunFiles files_of(const GoldenList& list, const GoldenOptions& options) {
+  RunFiles files;
+  files.reads(list_of(options));
+  for (const GoldenCase& golden : list.cases)
+    if (!golden.scene.starts_with("scene:")) files.reads(golden.scene);
+  return files;
+}
+
+/// What `check` writes. Throws Error(usage) where that is read too, or one file is meant twice.
+std::vector<GoldenOutput> outputs_of_check(const GoldenList& list, const GoldenOptions& options) {
+  RunFiles files = files_of(list, options);
+  for (const GoldenCase& any : read_golden_list(list_of(options)).cases) files.reads(list.expected(any));
+  std::vector<GoldenOutput> outputs = {{fs::path(options.output) / "report.html", "the report"}};
+  if (!options.junit.empty()) outputs.push_back({options.junit, "--junit"});
+  for (const GoldenCase& golden : list.cases) {
+    outputs.push_back({actual_picture(options.output, golden), "-o: the picture"});
+    outputs.push_back({difference_picture(options.output, golden), "-o: the difference"});
+  }
+  for (const GoldenOutput& output : outputs) files.writes(output.path, output.what);
+  return outputs;
+}
+
+std::vector<GoldenOutput> outputs_of_update(const GoldenList& list, const GoldenOptions& options) {
+  RunFiles files = files_of(list, options);
+  std::vector<GoldenOutput> outputs;
+  for (const GoldenCase& golden : list.cases) {
+    outputs.push_back({list.expected(golden), "the expected picture"});
+    files.writes(outputs.back().path, outputs.back().what);
+  }
+  return outputs;
+}
+
 GoldenList chosen_cases(const GoldenOptions& options) {
-  GoldenList list = read_golden_list(options.list.empty() ? default_list() : fs::path(options.list));
+  GoldenList list = read_golden_list(list_of(options));
   keep_cases(list, options.names);
   return list;
 }
 
 ExitCode check_all(const GoldenOptions& options) {
   const GoldenList list = chosen_cases(options);
+  const std::vector<GoldenOutput> outputs = outputs_of_check(list, options);
   make_folder(options.output);
   std::vector<GoldenResult> results;
   size_t failed = 0;
   for (const GoldenCase& golden : list.cases) {
-    results.push_back(check(list, golden, options));
+    results.push_back(check(list, golden, options, outputs));
     const GoldenResult& result = results.back();
     failed += !result.passed();
     fmt::print("{}  {:<24} {:5.1f} s  {}\n", result.passed() ? "ok    " : "FAILED", golden.name, result.seconds,
@@ -151,8 +211,11 @@ ExitCode check_all(const GoldenOptions& options) {
 
 ExitCode update_all(const GoldenOptions& options) {
   const GoldenList list = chosen_cases(options);
+  const std::vector<GoldenOutput> outputs = outputs_of_update(list, options);
   for (const GoldenCase& golden : list.cases) {
-    write_picture(list.expected(golden), picture_of(make_case_job(golden, options)));
+    const CaseJob job = make_case_job(golden, options);
+    require_unread(outputs, job.read);
+    write_picture(list.expected(golden), picture_of(job));
     fmt::print("wrote {}\n", list.expected(golden).string());
   }
   return ExitCode::ok;

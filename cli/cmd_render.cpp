@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/files_read.h"
 #include "cli/frame_warnings.h"
 #include "cli/frame_writer.h"
 #include "cli/interrupt.h"
@@ -39,8 +40,11 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   const RenderJob job = load_showing_progress(options, source, pool, warnings, output.quiet || output.json);
   topology_warnings(job.scene, job.topology, warnings);
   totals.load_ms = loading.elapsed_ms();
+  RunFiles files;
+  add_files_read(options, source, files);
+  add_files_read(job.scene, files);
   FileClaims claims;
-  const OutputPaths paths = prepare_output(output, source, job, claims, warnings);
+  const OutputPaths paths = prepare_output(output, source, job, files, claims, warnings);
 
   Reporter reporter(output, job.frames.count());
   reporter.warnings(warnings);

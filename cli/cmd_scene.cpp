@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "core/base/run_files.h"
 #include "core/load/obj_writer.h"
 #include "core/load/scene_json_writer.h"
 #include "core/load/scene_source.h"
@@ -24,9 +25,13 @@ ExitCode write_scene(const SceneArguments& arguments) {
   const SceneSource source = parse_scene_source(argument);
   const ProceduralScene& procedural = *source.procedural;
   const std::filesystem::path output = arguments.output.empty() ? short_name(source) + ".obj" : arguments.output;
+  const std::filesystem::path json = std::filesystem::path(output).replace_extension(".json");
+  RunFiles files;
+  files.writes(output, "-o");
+  files.writes(std::filesystem::path(output).replace_extension(".mtl"), "the materials as");
+  files.writes(json, "camera and lights as");
   const Scene scene = procedural.make(source.procedural_values);
   const WrittenObj written = write_obj(scene, output);
-  const std::filesystem::path json = std::filesystem::path(output).replace_extension(".json");
   write_scene_json(json, output.filename().string(), procedural.shot(source.procedural_values));
   const auto reflects = [&](uint32_t material) { return scene.materials[material].reflective(); };
   fmt::print("{}: {} triangles ({} of them reflect), {} bytes; materials in {}, camera and lights in {}\n",

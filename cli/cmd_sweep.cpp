@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/files_read.h"
 #include "cli/interrupt.h"
 #include "cli/option_values.h"
 #include "cli/stability/run_stability.h"
@@ -11,6 +12,7 @@
 #include "cli/sweep/machine_load.h"
 #include "cli/sweep/presets.h"
 #include "cli/sweep/run_sweep.h"
+#include "cli/sweep/sweep_files.h"
 #include "core/base/file_claims.h"
 
 namespace hybridrt::cli {
@@ -146,6 +148,9 @@ ExitCode sweep(const SweepOptions& given, const std::vector<std::string>& comman
     say(fmt::format("hybridrt: render refuses {} of {} combinations, which are left out: {}\n",
                     settings.left_out.size(), settings.left_out.size() + settings.settings.size(),
                     fmt::join(settings.left_out, ", ")));
+  RunFiles read;
+  for (const SweepSetting& setting : settings.settings) add_files_read(setting.options, *setting.source, read);
+  require_sweep_writes_none_of(read, request);
   FileClaims claims;
   claim_rows(claims, request.rows());
   const double busy = require_quiet_machine(options);

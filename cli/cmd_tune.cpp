@@ -103,6 +103,7 @@ ExitCode tune(const TuneOptions& options) {
   if (!options.output.empty()) require_writable(options.output);
   const int truth_samples = goal.one_sample() ? 1 : options.truth_samples.value_or(64);
   Trials trials(options.render, goal, truth_samples, options.quiet);
+  if (!options.output.empty()) trials.files().require_unused(options.output, "-o");
   const Choice choice = checked_choice(trials, goal, options);
   if (!options.quiet) print_trials(trials, goal, choice);
   if (options.output.empty())

@@ -5,8 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "cli/standard_streams.h"
 #include "cli/version.h"
+#include "core/base/output_file.h"
 #include "core/base/timing.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/aov.h"
@@ -59,8 +59,9 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
 
 void FrameWriter::write_to_standard_output(const Image& picture, const ImageMetadata& metadata) {
   const std::vector<unsigned char> bytes = encode_image(picture, "png", metadata);
-  std::fwrite(bytes.data(), 1, bytes.size(), stdout);
-  flush_output();
+  OutputFile file = OutputFile::standard_output();
+  file.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  file.commit();
 }
 
 void FrameWriter::write(Frame&& frame) {

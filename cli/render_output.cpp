@@ -4,11 +4,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/given_descriptor.h"
 #include "core/base/output_file.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/output_claims.h"
+#include "core/render/picture_files.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -28,7 +31,8 @@ void name_tables(const OutputOptions& options, const RenderJob& job, bool range,
   const fs::path folder = common_folder(paths.pattern);
   paths.timings = options.timings.empty() ? (folder / ("timings" + part + ".csv")).string() : options.timings;
   // Beside the CSV, but not in /dev.
-  const bool is_file = paths.timings != "-" && (!fs::exists(paths.timings) || fs::is_regular_file(paths.timings));
+  const bool is_file = paths.timings != "-" && !descriptor_named_by(paths.timings) &&
+                       (!fs::exists(paths.timings) || fs::is_regular_file(paths.timings));
   paths.report = (is_file ? fs::path(paths.timings).parent_path() : folder) / ("run" + part + ".json");
 }
 
@@ -62,10 +66,23 @@ void require_free(bool taken, const fs::path& file) {
                 file.string());
 }
 
+/// The AOVs that become files of their own: not the layers of an EXR.
+std::vector<std::string_view> aov_files(const RenderJob& job, const OutputPattern& pattern) {
+  const bool layered = keeps_layers(output_path(pattern, job.frames.lowest()).string());
+  return layered ? std::vector<std::string_view>() : aov_names(job.settings.aovs);
+}
+
+/// The tables and the contact sheet beside what is read and beside each other.
+void add_tables(const OutputOptions& options, const OutputPaths& paths, RunFiles& files) {
+  if (!options.contact_sheet.empty()) files.writes(options.contact_sheet, "--contact-sheet");
+  if (!paths.timings.empty() && paths.timings != "-") files.writes(paths.timings, "--timings");
+  if (!paths.report.empty()) files.writes(paths.report, "run.json as");
+}
+
 void claim_all(const OutputOptions& options, const RenderJob& job, OutputPaths& paths, FileClaims& claims,
                Warnings& warnings) {
   const fs::path pictures = common_folder(paths.pattern) / name_below(paths.pattern);
-  const Answer answer = claim_frames(claims, paths.pattern, job.frames);
+  const Answer answer = claim_frames(claims, paths.pattern, job.frames, aov_files(job, paths.pattern));
   require_free(answer == Answer::taken, pictures);
   if (answer == Answer::unknown)
     warnings.push_back(
@@ -85,8 +102,14 @@ void claim_all(const OutputOptions& options, const RenderJob& job, OutputPaths& 
   require_free(is_taken(claims, paths.report), paths.report);
 }
 
+void require_files_apart(const OutputOptions& options, const RenderJob& job, const OutputPaths& paths, RunFiles files) {
+  add_tables(options, paths, files);
+  require_pictures_unused(files, paths.pattern, job.frames, aov_files(job, paths.pattern));
+}
+
 /// `-o -`: nothing else may go there.
-OutputPaths picture_to_standard_output(const OutputOptions& options, const RenderJob& job, FileClaims& claims) {
+OutputPaths picture_to_standard_output(const OutputOptions& options, const RenderJob& job, RunFiles& files,
+                                       FileClaims& claims) {
   if (options.json || options.timings == "-")
     throw error(ErrorKind::usage, "-o - wants standard output for the picture; give {} too, or leave it out",
                 options.json ? "--json a picture file" : "--timings a file");
@@ -97,6 +120,7 @@ OutputPaths picture_to_standard_output(const OutputOptions& options, const Rende
   paths.to_standard_output = true;
   paths.timings = options.timings;
   if (!options.contact_sheet.empty()) require_writable_format(options.contact_sheet);
+  add_tables(options, paths, files);
   for (const std::string& file : {options.timings, options.contact_sheet}) {
     if (file.empty()) continue;
     require_free(is_taken(claims, file), file);
@@ -107,11 +131,13 @@ OutputPaths picture_to_standard_output(const OutputOptions& options, const Rende
 
 }  // namespace
 
-OutputPaths prepare_output(const OutputOptions& options, const SceneSource& source, const RenderJob& job,
+OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source, const RenderJob& job, RunFiles& files,
                            FileClaims& claims, Warnings& warnings) {
+  OutputOptions options = given;
+  if (descriptor_named_by(options.timings) == STDOUT_FILENO) options.timings = "-";
   if (options.json && options.timings == "-")
     throw error(ErrorKind::usage, "--timings - and --json both want standard output; give --timings a file");
-  if (options.pattern == "-") return picture_to_standard_output(options, job, claims);
+  if (options.pattern == "-") return picture_to_standard_output(options, job, files, claims);
   OutputPaths paths;
   const std::string usual = "out/" + short_name(source) + ".####.png";
   paths.pattern = parse_output_pattern(options.pattern.empty() ? usual : options.pattern, job.frames.count() > 1);
@@ -124,7 +150,9 @@ OutputPaths prepare_output(const OutputOptions& options, const SceneSource& sour
 
   name_tables(options, job, !is_whole(job), paths);
   keep_others_tables(options, paths);
+  require_files_apart(options, job, paths, files);
   claim_all(options, job, paths, claims, warnings);
+  add_tables(options, paths, files);
   require_writable(first);
   require_writable(paths.report);
   if (!options.contact_sheet.empty()) require_writable(options.contact_sheet);

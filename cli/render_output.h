@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/file_claims.h"
+#include "core/base/run_files.h"
 #include "core/base/warnings.h"
 #include "core/load/scene_source.h"
 #include "core/render/output_pattern.h"
@@ -27,9 +28,10 @@ struct OutputPaths {
 
 /// Decides the paths before anything is rendered: makes the folders, tests that each file can be written, and claims
 /// them all, so that no two runs write the same files. If only the timings or the report would clash, this run's get
-/// the range of its frames in their names, with a warning. Throws Error(usage) for impossible names and formats,
-/// Error(output) for what cannot be written or is being written by another run.
+/// the range of its frames in their names, with a warning. `files`: what the run reads; its outputs are added. Throws
+/// Error(usage) for impossible names and formats and for files that are read or named twice, Error(output) for what
+/// cannot be written or is being written by another run.
 OutputPaths prepare_output(const OutputOptions& options, const SceneSource& source, const RenderJob& job,
-                           FileClaims& claims, Warnings& warnings);
+                           RunFiles& files, FileClaims& claims, Warnings& warnings);
 
 }  // namespace hybridrt::cli

@@ -9,11 +9,19 @@
 
 namespace hybridrt::cli {
 
+namespace {
+
+/// Like gnulib's stdopen: opened for the wrong direction. The device refuses writers who reopen /dev/stdout too; the
+/// root folder is there even where no device is.
+void fill(int stream) {
+  if (::fcntl(stream, F_GETFD) >= 0) return;
+  if (::open("/dev/full", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) ::open("/", O_RDONLY);
+}
+
+}  // namespace
+
 void prepare_standard_streams() {
-  // Like gnulib's stdopen: opens each for the wrong direction, and on a device that also refuses writers who reopen
-  // /dev/stdout.
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/full", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) fill(stream);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

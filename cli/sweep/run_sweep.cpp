@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cli/files_read.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/standard_streams.h"
 #include "cli/sweep/facts_file.h"
 #include "cli/sweep/rows.h"
+#include "cli/sweep/sweep_files.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/memory_estimate.h"
 
@@ -117,6 +119,9 @@ class Sweep {
     try {
       ThreadPool& pool = pool_for(*settings.front());
       Group group{load_scene_of(*settings.front(), pool, warnings), settings};
+      RunFiles read;
+      add_files_read(group.scene.job.scene, read);
+      require_sweep_writes_none_of(read, request_);
       tell(warnings);
       return group;
     } catch (const Error& problem) {

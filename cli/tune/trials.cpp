@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "cli/files_read.h"
 #include "cli/standard_streams.h"
 #include "cli/sweep/visit.h"
 #include "core/base/error.h"
@@ -54,6 +55,8 @@ Trials::Trials(const RenderOptions& base, const Goal& goal, int truth_samples, b
   Warnings warnings;
   scene_ = load_scene_of(setting, *pool_, warnings);
   set_job(scene_, setting, *pool_, warnings);
+  add_files_read(setting.options, *source_, files_);
+  add_files_read(scene_.job.scene, files_);
   for (const std::string& warning : warnings) complain("warning: " + warning);
 }
 

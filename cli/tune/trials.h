@@ -6,6 +6,7 @@
 #include "cli/stopped.h"
 #include "cli/sweep/loaded_scene.h"
 #include "cli/tune/goal.h"
+#include "core/base/run_files.h"
 
 namespace hybridrt::cli {
 
@@ -40,6 +41,8 @@ class Trials {
   void measure(const std::vector<Choice>& choices);
   double ms(const Choice& choice) { return find(choice).ms(); }
 
+  /// What was read.
+  const RunFiles& files() const { return files_; }
   int truth_samples() const { return truth_samples_; }
   const std::vector<Trial>& all() const { return trials_; }
 
@@ -56,6 +59,7 @@ class Trials {
   std::shared_ptr<const SceneSource> source_;
   std::unique_ptr<ThreadPool> pool_;
   LoadedScene scene_;
+  RunFiles files_;
   TruthStore truths_;
   std::vector<Trial> trials_;
 };

@@ -1,6 +1,8 @@
 #include "core/base/file_claims.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -10,6 +12,8 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/base/given_descriptor.h"
+#include "core/base/real_path.h"
 
 namespace hybridrt {
 namespace {
@@ -57,18 +61,24 @@ bool is_at(int descriptor, const fs::path& path) {
          open.st_dev == named.st_dev;
 }
 
-fs::path canonical_or_same(const fs::path& path) {
-  std::error_code problem;
-  const fs::path canonical = fs::weakly_canonical(path, problem);
-  return problem || canonical.empty() ? path : canonical;
-}
-
 [[noreturn]] void fail(const fs::path& file, const char* step, int reason) {
   throw error(ErrorKind::output, "cannot write {}: {}: {}; check the folder and its permissions, or write elsewhere",
               file.string(), step, std::generic_category().message(reason));
 }
 
 }  // namespace
+
+NumberedName numbered_name(const fs::path& file) {
+  constexpr std::string_view kDigits = "0123456789";
+  const std::string stem = file.stem().string();
+  const size_t last = stem.find_last_of(kDigits);
+  if (last == stem.npos) return {file.filename().string(), -1};
+  const size_t before = stem.find_last_not_of(kDigits, last), begin = before == stem.npos ? 0 : before + 1;
+  int64_t number = 0;
+  const auto read = std::from_chars(stem.data() + begin, stem.data() + last + 1, number);
+  if (read.ec != std::errc() || number >= kStretch) return {file.filename().string(), -1};
+  return {stem.substr(0, begin) + "#" + stem.substr(last + 1) + file.extension().string(), number};
+}
 
 FileClaims::~FileClaims() {
   for (const auto& [folder, descriptor] : locks_) {
@@ -79,11 +89,13 @@ FileClaims::~FileClaims() {
 }
 
 FileClaims::Answer FileClaims::claim(const fs::path& file) {
+  if (descriptor_named_by(file)) return Answer::ours;
   std::error_code ignored;
   const fs::file_status there = fs::status(file, ignored);
   if (fs::exists(there) && !fs::is_regular_file(there)) return Answer::ours;
-  const fs::path real = canonical_or_same(fs::absolute(file, ignored));
-  return lock(real.parent_path(), start_of(real.filename().string()), kStretch, file);
+  const fs::path real = real_path(file);
+  const auto [name, number] = numbered_name(real);
+  return lock(real.parent_path(), start_of(name) + std::max<int64_t>(number, 0), number < 0 ? kStretch : 1, file);
 }
 
 FileClaims::Answer FileClaims::claim(const fs::path& folder, std::string_view name, int first, int last) {
@@ -95,7 +107,7 @@ FileClaims::Answer FileClaims::lock(const fs::path& named, int64_t start, int64_
   std::error_code problem;
   fs::create_directories(named, problem);
   if (problem) fail(shown, "make its folder", problem.value());
-  const fs::path folder = canonical_or_same(named), path = folder / kLockName;
+  const fs::path folder = real_path(named), path = folder / kLockName;
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const auto known = locks_.find(folder);
     const bool is_first = known == locks_.end();

@@ -3,14 +3,22 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <string>
 #include <string_view>
 
 namespace hybridrt {
 
+/// A file's name as claims see it: the last number before its extension apart from the rest.
+struct NumberedName {
+  std::string name;     ///< "x.#.png" of x.0007.png; as it is where there is no number
+  int64_t number = -1;  ///< 7; -1 where there is none
+};
+NumberedName numbered_name(const std::filesystem::path& file);
+
 /// What a run is going to write, so that a second one at the same time can be refused. Each folder gets a hidden file
-/// `.hybridrt.lock`; a file's name stands for a range of its bytes, a frame's number for one byte of that range, and a
-/// run holds kernel locks on the bytes of its files. The kernel drops them when the process ends, however it ends. A
-/// killed run leaves an empty file, which the next run uses and removes.
+/// `.hybridrt.lock`; a file's name, without its number, stands for a range of its bytes, the number for one byte of
+/// that range, and a run holds kernel locks on the bytes of its files. The kernel drops them when the process ends,
+/// however it ends. A killed run leaves an empty file, which the next run uses and removes.
 ///
 /// Names are told apart by 31 bits of a hash: one pair of names in 2^31 is taken for the same name, and a run is
 /// refused needlessly.
@@ -27,7 +35,7 @@ class FileClaims {
   FileClaims(const FileClaims&) = delete;
   FileClaims& operator=(const FileClaims&) = delete;
 
-  /// Claims one file. Devices and pipes need no claim. Throws as below.
+  /// Claims one file. Devices, pipes and given descriptors need none. Throws as below.
   [[nodiscard]] Answer claim(const std::filesystem::path& file);
 
   /// Frames `first`..`last` (>= 0) of the files in `folder` that `name` stands for; equal names are the same files. A

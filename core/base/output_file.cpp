@@ -3,12 +3,15 @@
 #include <atomic>
 #include <cerrno>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/sendfile.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/given_descriptor.h"
+#include "core/base/real_path.h"
 
 namespace hybridrt {
 namespace {
@@ -25,16 +28,18 @@ fs::path temporary_beside(const fs::path& target) {
 }  // namespace
 
 OutputFile::OutputFile(const fs::path& path) : path_(path) {
+  if (const std::optional<int> descriptor = descriptor_named_by(path)) {
+    write_to(*descriptor);
+    return;
+  }
+  target_ = path;
   std::error_code problem;
   const fs::file_status there = fs::status(path, problem);
   if (fs::is_directory(there)) fail("open", EISDIR);
   if (fs::exists(there) && !fs::is_regular_file(there)) {
-    target_ = path;
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    target_ = fs::weakly_canonical(path, problem);
-    if (problem || target_.empty()) target_ = path;
-    if (!target_.has_parent_path()) target_ = "." / target_;
+    target_ = real_path(path);
     fs::create_directories(target_.parent_path(), problem);
     if (problem) fail("make its folder", problem.value());
     temporary_ = temporary_beside(target_);
@@ -46,10 +51,17 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
   }
 }
 
-OutputFile OutputFile::standard_output() {
-  const int descriptor = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
-  if (descriptor < 0) throw error(ErrorKind::output, "cannot write standard output: it is closed");
-  return OutputFile("standard output", descriptor);
+OutputFile OutputFile::standard_output() { return OutputFile(STDOUT_FILENO); }
+
+OutputFile::OutputFile(int descriptor) : path_("standard output") { write_to(descriptor); }
+
+/// Ours are refused too: one that the caller closed may have been opened again as a file of the run.
+void OutputFile::write_to(int descriptor) {
+  target_.clear();
+  const int mode = ::fcntl(descriptor, F_GETFL);
+  if (mode < 0 || (mode & O_ACCMODE) == O_RDONLY || !is_given(descriptor)) fail("open", EBADF);
+  descriptor_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  if (descriptor_ < 0) fail("open", errno);
 }
 
 OutputFile::~OutputFile() {
@@ -66,6 +78,11 @@ void OutputFile::write_through(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && errno == EAGAIN) {  // a pipe or terminal that its owner reads without waiting
+      pollfd room{descriptor_, POLLOUT, 0};
+      ::poll(&room, 1, -1);
+      continue;
+    }
     if (count < 0) fail("write", errno);
     written_ += static_cast<uint64_t>(count);
     bytes.remove_prefix(static_cast<size_t>(count));
@@ -106,14 +123,17 @@ void OutputFile::sync_folder() {
 }
 
 void OutputFile::fail(const char* step, int reason) const {
-  throw error(ErrorKind::output, "cannot write {}: {}: {}; check the folder, its permissions and its free space",
-              path_.string(), step, std::generic_category().message(reason));
+  throw error(ErrorKind::output, "cannot write {}: {}: {}; {}", path_.string(), step,
+              std::generic_category().message(reason),
+              target_.empty() ? "send it elsewhere" : "check the folder, its permissions and its free space");
 }
 
 void require_writable(const fs::path& path) {
   std::error_code ignored;
+  const bool is_descriptor = descriptor_named_by(path).has_value();
   const fs::file_status there = fs::status(path, ignored);
-  if (!fs::exists(there) || fs::is_regular_file(there) || fs::is_directory(there)) OutputFile tried(path);
+  if (is_descriptor || !fs::exists(there) || fs::is_regular_file(there) || fs::is_directory(there))
+    OutputFile tried(path);
 }
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {

@@ -6,14 +6,14 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace hybridrt {
 
 /// A file that is written atomically: to a hidden temporary beside it (`.NAME.tmp-PID-N`), then fsync, then rename. A
 /// reader of the final name finds the old file, none, or the complete new one, at any moment and after a crash. Missing
-/// folders are created. A symbolic link is followed, not replaced. A device or pipe (/dev/null) is written directly.
-/// Without commit(), nothing is left behind (a killed process may leave the temporary).
+/// folders are created. A symbolic link is followed, not replaced. A device or pipe (/dev/null) is written directly,
+/// and so is a descriptor that the caller gave (/dev/stdout, /dev/fd/3): appended to, never replaced, even where it is
+/// a file. Without commit(), nothing is left behind (a killed process may leave the temporary).
 ///
 /// Every function throws Error (output), naming the file and the system's reason. For that the process must ignore
 /// SIGXFSZ if file sizes are limited. Several may be open for the same path, in any thread; the last one to commit
@@ -21,7 +21,7 @@ namespace hybridrt {
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
-  /// Standard output: appended to, never replaced, even where it is a file.
+  /// As /dev/stdout, also where there is no such name.
   static OutputFile standard_output();
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -41,16 +41,18 @@ class OutputFile {
   uint64_t bytes() const { return written_ + buffer_.size(); }
 
  private:
-  OutputFile(std::string name, int descriptor) : path_(std::move(name)), descriptor_(descriptor) {}
+  explicit OutputFile(int descriptor);
   static constexpr size_t kBuffer = size_t{1} << 20;
 
+  void write_to(int descriptor);
   void flush();
   void write_through(std::string_view bytes);
   void sync_folder();
   [[noreturn]] void fail(const char* step, int reason) const;
 
-  const std::filesystem::path path_;          ///< as the caller named it
-  std::filesystem::path target_, temporary_;  ///< no temporary: `target_` is written directly
+  const std::filesystem::path path_;  ///< as the caller named it
+  /// Without a temporary the target is written directly; without a target a given descriptor is.
+  std::filesystem::path target_, temporary_;
   int descriptor_ = -1;
   std::string buffer_;
   uint64_t written_ = 0;

@@ -142,6 +142,12 @@ std::vector<std::pair<std::string, std::string>> read_settings_file(const fs::pa
   return parse_settings(JsonPlace(document, path.string()), path);
 }
 
+fs::path camera_file_of(const SceneSource& source) {
+  if (!source.document || !source.document->contains("camera_path")) return {};
+  const nlohmann::json& path = source.document->at("camera_path");
+  return path.is_string() ? beside(source.argument, path.get<std::string>()) : fs::path();
+}
+
 std::optional<CameraCourse> scene_file_camera(const SceneSource& source, UpAxis up, Warnings& warnings) {
   const JsonPlace scene(*source.document, source.argument);
   if (const auto camera = scene.find("camera")) return parse_camera(*camera, up, warnings);

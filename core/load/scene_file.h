@@ -16,6 +16,9 @@ SceneSource read_scene_file(const std::filesystem::path& path);
 
 /// The camera of such a source ("camera", or "camera_path" as an object or the name of a file beside it), if it has
 /// one. Separate from the rest because it depends on the up axis, which the command line may change.
+/// The file that the scene JSON names as its camera path; empty if there is none.
+std::filesystem::path camera_file_of(const SceneSource& source);
+
 std::optional<CameraCourse> scene_file_camera(const SceneSource& source, UpAxis up, Warnings& warnings);
 
 /// A JSON object of render options by their names without dashes, as `settings` of a scene JSON. Throws Error(input).

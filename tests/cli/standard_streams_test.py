@@ -1,10 +1,12 @@
 """Standard streams that are full, closed or gone: output on standard error never changes the exit code, and
 results that standard output does not take are exit code 5."""
 
+import fcntl
 import json
 import os
 import pty
 import signal
+import socket
 import subprocess
 import threading
 import time
@@ -82,6 +84,9 @@ class StandardOutputTest(StreamsCase):
         return (("help",), ("--help",), ("render", "--help"), ("golden", "check", "--help"), ("--version",), ("--version", "--json"),
                 ("doctor",), ("doctor", "--json"), ("inspect", SCENE), ("inspect", SCENE, "--json"),
                 ("compare", "a.png", "a.png"), ("compare", "a.png", "b.png"), ("compare", "a.png", "b.png", "--json"),
+                ("tune", SCENE, "--size", "32x24", "--max-error", "20dB", "-q"),
+                ("sweep", SCENE, "--size", "32x24", "--over", "shadow-map=64,128", "--rounds", "1", "--truth-samples", "1",
+                 "--no-charts", "-o", "sweep"),
                 ("scene", "spheres", "--triangles", "500"), ("golden", "update", *golden), ("golden", "check", *golden),
                 ("render", SCENE, *SMALL), ("render", SCENE, *SMALL, "--json"),
                 ("render", SCENE, *SMALL, "-q", "--timings", "-"))
@@ -92,7 +97,7 @@ class StandardOutputTest(StreamsCase):
                 with self.subTest(arguments=arguments, redirection=redirection):
                     done = self.through_shell(redirection, *arguments)
                     self.assertEqual(done.returncode, 5, done.stderr)
-                    lines = [line for line in done.stderr.splitlines() if line.startswith("hybridrt: ")]
+                    lines = [line for line in done.stderr.splitlines() if "standard output" in line]
                     self.assertEqual(len(lines), 1, done.stderr)
                     self.assertRegex(lines[0], "cannot write standard output|standard output cannot be written")
 
@@ -108,11 +113,50 @@ class StandardOutputTest(StreamsCase):
                 self.assertEqual(process.returncode, 5, errors)
                 self.assertNotIn("internal", errors)
 
+    def expect_timings(self, text, before=()):
+        self.assertEqual([line.split(",")[0] for line in text.splitlines()], [*before, "frame", "1"])
+
     def test_timings_are_appended_to_a_file(self):
-        self.write("log", "before\n")
-        self.assertEqual(self.through_shell(">>log", "render", SCENE, *SMALL, "-q", "--timings", "-").returncode, 0)
-        lines = self.read("log").decode().splitlines()
-        self.assertEqual([line.split(",")[0] for line in lines], ["before", "frame", "1"])
+        os.symlink("/dev/stdout", self.path("link"))
+        for name, redirection in (("-", ">>log"), ("/dev/stdout", ">>log"), ("/dev/fd/1", ">>log"), ("link", ">>log"),
+                                  ("/proc/self/fd/1", ">>log"), ("/dev/fd/3", "3>>log"), ("/dev/fd/3", "3>>log >&-")):
+            with self.subTest(name=name, redirection=redirection):
+                self.write("log", "before\n")
+                done = self.through_shell(redirection, "render", SCENE, *SMALL, "-q", "--timings", name, "-o", "p/a.png")
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.expect_timings(self.read("log").decode(), ["before"])
+                self.assertEqual(self.files("p"), ["a.png", "run.json"])
+
+    def test_timings_into_a_socket(self):
+        for name in ("-", "/dev/stdout"):
+            ours, its = socket.socketpair()
+            process = self.start("render", SCENE, *SMALL, "-q", "--timings", name, stdout=its)
+            its.close()
+            with ours.makefile() as stream:
+                self.expect_timings(stream.read())
+            self.assertEqual(process.wait(timeout=60), 0)
+            process.stderr.close()
+            ours.close()
+
+    def test_timings_into_a_pipe_that_does_not_wait(self):
+        read_end, write_end = os.pipe()
+        fcntl.fcntl(write_end, fcntl.F_SETPIPE_SZ, 4096)
+        os.set_blocking(write_end, False)
+        process = self.start("render", SCENE, *SMALL, "-q", "--frames", "100", "--timings", "-", stdout=write_end)
+        os.close(write_end)
+        with open(read_end, encoding="ascii") as stream:
+            time.sleep(0.5)
+            self.assertEqual(len(stream.readlines()), 101)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, errors), (0, ""))
+
+    def test_descriptors_that_nobody_gave(self):
+        """Some of these numbers are files that the run opens itself, its lock among them."""
+        for number in range(3, 12):
+            done = self.through_shell("", "render", SCENE, *SMALL, "-q", "--timings", f"/dev/fd/{number}", "-o", "p/a.png")
+            self.assertEqual(done.returncode, 5, done.stderr)
+            self.assertRegex(done.stderr, r"^hybridrt: cannot write /dev/fd/\d+: .*\n$")
+            self.assertEqual(self.files("p"), [])
 
     def test_without_results_it_does_not_matter(self):
         self.assertEqual(self.through_shell(">&-", "render", SCENE, *SMALL, "-q").returncode, 0)

@@ -49,6 +49,16 @@ class TwoRunsTest(CliTestCase):
                                 ("2000000-2000001,77", "out/x.png")):
             self.refuse("--frames", frames, "-o", pattern, says="alias/x.#" if "alias" in pattern else "out/x.#.png")
 
+    def test_the_same_files_under_other_names_are_refused(self):
+        self.start_long("-o", "out/x.####.png", "--aov", "depth", "--contact-sheet", "out/sheet.png")
+        for frames, name in (("1-1", "out/x.0007.png"), ("1-3", "out/x.000#.png"), ("70-72", "out/x.0{frame}.png"),
+                             ("9-9", "out/x.depth.0009.png"), ("1-1", "out/sheet.png")):
+            self.refuse("--frames", frames, "-o", name, says=name.replace("000#", "000").split(".0")[0])
+        self.refuse("-o", "o/y.png", "--contact-sheet", "out/x.0003.png", says="out/x.0003.png")
+        for frames, name in (("1-1", "out/x2.0007.png"), ("1-1", "out/x.2000007.png"), ("1-3", "out/x_v2.####.png"),
+                             ("1-3", "out/y.####.exr")):
+            self.succeed("render", *QUICK, "--frames", frames, "-o", name)
+
     def test_disjoint_frames_are_fine(self):
         part = ("--sequence", "1-3000000", "-o", "out/x.####.png")
         self.start_long(*part)

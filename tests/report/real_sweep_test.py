@@ -54,6 +54,11 @@ class RealSweepTest(BrowserTestCase):
         self.run_binary("report", "sweep")
         self.assertEqual(page.read_bytes(), before)
 
+        with open("/dev/full", "w", encoding="ascii") as full:
+            done = subprocess.run([BINARY, "report", "sweep"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True,
+                                  timeout=250)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (5, 1), done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
