@@ -28,17 +28,17 @@ inline constexpr Named<Measure> kMeasures[] = {
 
 /// A made scene, and a number that drives it from where all is well to where methods fail.
 struct FailureSweep {
-  std::string name;    ///< of files: "light-horizon"
-  std::string title;   ///< "The light sinks to the horizon"
-  std::string reason;  ///< why methods fail there
-  std::string scene;   ///< "stage", with parameters that stay
-  std::string parameter;           ///< of the scene, or a render option without dashes
-  std::string unit;                ///< of its values; may be empty
-  std::vector<double> values;      ///< from harmless to severe
+  std::string name;            ///< of files: "light-horizon"
+  std::string title;           ///< "The light sinks to the horizon"
+  std::string reason;          ///< why methods fail there
+  std::string scene;           ///< "stage", with parameters that stay
+  std::string parameter;       ///< of the scene, or a render option without dashes
+  std::string unit;            ///< of its values; may be empty
+  std::vector<double> values;  ///< from harmless to severe
   Between between = Between::ratios;
   std::vector<Contender> contenders;
-  OptionValues options = {};   ///< of all contenders
-  bool same_truth = false;     ///< nothing should change: all are held against the truth of the first value
+  OptionValues options = {};  ///< of all contenders
+  bool same_truth = false;    ///< nothing should change: all are held against the truth of the first value
   Measure measure = Measure::off;
 
   bool parameter_is_option() const;
@@ -48,7 +48,8 @@ struct FailureSweep {
 std::vector<FailureSweep> failure_sweeps(const std::string& scene = "");
 
 /// The command line with what is tried. `value` as text, "1e-06".
-RenderOptions options_of(const RenderOptions& base, const FailureSweep& sweep, double value, const Contender& contender);
+RenderOptions options_of(const RenderOptions& base, const FailureSweep& sweep, double value,
+                         const Contender& contender);
 
 /// Throws Error(usage) for an option of the command line that these sweeps set themselves.
 void require_free_options(const RenderOptions& base);

@@ -15,7 +15,8 @@ struct FailurePoint {
   Accuracy accuracy;
 
   double percent_bad() const {
-    return pixels_bad == 0 ? 0 : 100 * static_cast<double>(pixels_bad) / static_cast<double>(std::max<size_t>(pixels, 1));
+    return pixels_bad == 0 ? 0
+                           : 100 * static_cast<double>(pixels_bad) / static_cast<double>(std::max<size_t>(pixels, 1));
   }
 };
 

@@ -60,7 +60,8 @@ class StabilityFiles {
                                     number(threshold.fails_from)};
     if (threshold.fails_from) {
       row.push_back(number(measurer.point(contender, *threshold.fails_from).percent_bad()));
-      for (const std::string& file : write_pictures(sweep, contender, measurer.pictures(contender, *threshold.fails_from)))
+      for (const std::string& file :
+           write_pictures(sweep, contender, measurer.pictures(contender, *threshold.fails_from)))
         row.push_back(file);
     } else {
       row.insert(row.end(), 4, "");

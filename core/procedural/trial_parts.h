@@ -23,8 +23,8 @@ inline constexpr vec3 kPale{0.55f, 0.53f, 0.50f}, kDark{0.20f, 0.22f, 0.26f}, kR
 
 /// A square of two tones around (0, y, 0), `half` to each side.
 inline void add_floor(DoubleMesh& mesh, double half, int cells, double y = 0) {
-  mesh.add_sheet({-half, y, half}, {2 * half, 0, 0}, {0, 0, -2 * half}, cells, cells,
-                 mesh.add(painted("pale", kPale)), mesh.add(painted("tile", 0.8f * kPale)));
+  mesh.add_sheet({-half, y, half}, {2 * half, 0, 0}, {0, 0, -2 * half}, cells, cells, mesh.add(painted("pale", kPale)),
+                 mesh.add(painted("tile", 0.8f * kPale)));
 }
 
 /// Clear glass: all that is not reflected goes through.

@@ -17,15 +17,9 @@ Scene make_prism(const SceneValues&) {
   mesh.add_sheet({-6, -1.99, -5}, {12, 0, 0}, {0, 8, 0}, 24, 16, mesh.add(painted("ochre", kOchre)),
                  mesh.add(painted("blue", kBlue)));
   const double slope = std::tan(std::asin(1 / kPrismIndex)), low = -1 - slope, high = -1 + slope;
-  mesh.add_hexahedron({{-1, -1, low},
-                       {1, -1, low},
-                       {1, 1, high},
-                       {-1, 1, high},
-                       {-1, -1, 0},
-                       {1, -1, 0},
-                       {1, 1, 0},
-                       {-1, 1, 0}},
-                      mesh.add(glass(kPrismIndex)));
+  mesh.add_hexahedron(
+      {{-1, -1, low}, {1, -1, low}, {1, 1, high}, {-1, 1, high}, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
+      mesh.add(glass(kPrismIndex)));
   return scene_of(mesh);
 }
 

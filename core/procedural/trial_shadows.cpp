@@ -7,10 +7,10 @@ namespace hybridrt {
 namespace {
 
 constexpr SceneParameter kElevation{"elevation", "of the light over the horizon, degrees", 0, 90, 45},
-    kFromView{"from-view", "angle between the light and the eye, degrees; replaces elevation", 0, 180, {}},
+    kFromView{"from-view", "from the eye to the light, degrees; replaces elevation", 0, 180, {}},
     kEyeElevation{"eye-elevation", "of the eye over the plane, degrees", 0, 90, 25},
-    kSegments{"segments", "of the ball, around", 4, 1024, 64, true},
-    kScale{"scale", "of everything", 1e-12, 1e12, 1}, kDistance{"distance", "of everything from the origin", 0, 1e12, 0},
+    kSegments{"segments", "of the ball, around", 4, 1024, 64, true}, kScale{"scale", "of everything", 1e-12, 1e12, 1},
+    kDistance{"distance", "of everything from the origin", 0, 1e12, 0},
     kSpread{"spread", "distance from the origin, with a second plane as far on the other side", 0, 1e8, 0};
 constexpr SceneParameter kStage[] = {kElevation, kFromView, kEyeElevation, kSegments, kScale, kDistance, kSpread};
 

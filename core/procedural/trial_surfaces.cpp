@@ -66,7 +66,8 @@ Scene make_eye(const SceneValues& values) {
 SceneShot eye_shot(const SceneValues& values) {
   dvec3 eye(0.3, 1.2, 4), target(0, 0.5, 0);
   if (is_given(values, kAbove)) eye = {0.3, value_of(values, kAbove), 3}, target = {0.3, eye.y, 0};
-  if (is_given(values, kToCorner)) target = {2, 1.02, 0.5}, eye = target + value_of(values, kToCorner) * dvec3(0.64, 0.48, 0.6);
+  if (is_given(values, kToCorner))
+    target = {2, 1.02, 0.5}, eye = target + value_of(values, kToCorner) * dvec3(0.64, 0.48, 0.6);
   if (is_given(values, kToWall)) eye = {2, 0.5, 0.5 + value_of(values, kToWall)}, target = {2, 0.5, -1};
   if (is_given(values, kInGlass)) eye = {-1.75, 1.52 - value_of(values, kInGlass), -0.25}, target = {0, 0.6, 0};
   return trial_shot(eye, target, 45, {-0.5, 0.8, 0.35});
@@ -83,7 +84,8 @@ ProceduralScene sheets_scene() {
 }
 
 ProceduralScene eye_scene() {
-  return {"eye", "a ball and two boxes seen from up close, one of them glass for an eye in it", kEye, make_eye, eye_shot};
+  return {"eye", "a ball and two boxes seen from up close, one of them glass for an eye in it", kEye, make_eye,
+          eye_shot};
 }
 
 }  // namespace hybridrt

@@ -67,8 +67,7 @@ TEST(Threshold, DoesNotHalveTowardZeroOrListedValues) {
 /// What fails in between and recovers is found at its first failure.
 TEST(Threshold, StopsAtTheFirstFailure) {
   const std::vector<double> values = {1, 10, 100, 1000};
-  const Threshold found =
-      find_threshold(values, Between::ratios, [](double value) { return value > 8 && value < 12; });
+  const Threshold found = find_threshold(values, Between::ratios, [](double value) { return value > 8 && value < 12; });
   EXPECT_NEAR(*found.fails_from, 8, 0.4);
 }
 
