@@ -8,6 +8,7 @@
 #include "cli/frame_writer.h"
 #include "cli/interrupt.h"
 #include "cli/loading_line.h"
+#include "cli/option_values.h"
 #include "cli/render_output.h"
 #include "cli/reporter.h"
 #include "cli/run_inputs.h"
@@ -37,7 +38,7 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   const int threads = thread_count(options);
   gl::limit_software_threads(threads);  // before the first thread is started
   ThreadPool pool(threads);
-  const RenderJob job = load_showing_progress(options, source, pool, warnings, output.quiet || output.json);
+  RenderJob job = load_showing_progress(options, source, pool, warnings, output.quiet || output.json);
   topology_warnings(job.scene, job.topology, warnings);
   totals.load_ms = loading.elapsed_ms();
   RunFiles files;
@@ -51,15 +52,23 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   reporter.notes(job.scene.notes);
   FrameWriter writer(output, paths, job, threads);
   FrameWarningsGiven told;
-  std::vector<int> rendered;
+  std::vector<int> there;
+  job.wants = [&](int frame) {
+    if (!writer.keeps(frame)) return true;
+    ++totals.kept;
+    there.push_back(frame);
+    reporter.kept(frame, output_path(paths.pattern, frame));
+    return false;
+  };
   Stopwatch rendering;
   const auto starting = [&](const RunFacts& so_far) {
+    writer.start(so_far);
     reporter.start(options, job, so_far);
     rendering.restart();
   };
   const auto deliver = [&](Frame&& frame) {
     totals.add(frame);
-    rendered.push_back(frame.number);
+    there.push_back(frame.number);
     if (const auto warning = frame_warning(frame, job, told)) {
       reporter.warnings({*warning});
       warnings.push_back(*warning);
@@ -71,7 +80,7 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   totals.rendering_ms = rendering.elapsed_ms();
   writer.finish(totals);
   nlohmann::ordered_json report = run_report(options, job, threads, facts, totals, warnings);
-  report.update(run_inputs(command_line, options, job, paths, rendered));
+  report.update(run_inputs(command_line, options, job, paths, there));
   if (!paths.report.empty())
     write_file_atomically(paths.report,
                           report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -102,6 +111,19 @@ void add_render_command(CLI::App& app, const std::vector<std::string>& command_l
   command->add_option("--contact-sheet", output->contact_sheet, "Also write one picture of up to 20 frames")
       ->type_name("FILE")
       ->group(group);
+  command
+      ->add_option_function<std::string>(
+          "--existing",
+          [output](const std::string& text) { output->existing = parse_name("--existing", kExisting, text); },
+          "Pictures that are there: " + names_in(kExisting) +
+              " (default overwrite). resume keeps those that this "
+              "command would write again, byte for byte; refuse ends at the first")
+      ->type_name("WHAT")
+      ->group(group);
+  command
+      ->add_flag_callback(
+          "--resume", [output] { output->existing = Existing::resume; }, "The same as --existing resume")
+      ->group(group);
   command->add_flag("--json", output->json, "One JSON object a line on standard output for every event")->group(group);
   command->add_flag("-q,--quiet", output->quiet, "Only errors and warnings")->group(group);
   command->add_flag("-v,--verbose", output->verbose, "A line for every frame")->group(group);
@@ -110,6 +132,7 @@ void add_render_command(CLI::App& app, const std::vector<std::string>& command_l
       "Examples:\n"
       "  hybridrt render car.obj --frames 100 -o turn/car.####.png\n"
       "  hybridrt render scene:chess --size 1920x1080 --samples 8\n"
+      "  hybridrt render car.obj --frames 1000 --resume          # goes on where a run ended\n"
       "  hybridrt render hall.json --camera walk.json --frames 1-240:10 --contact-sheet walk.png");
   command->callback(
       [options, output, command_line, &chosen] { chosen = [=] { return render(*options, *output, command_line); }; });

@@ -5,18 +5,20 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "cli/version.h"
 #include "core/base/output_file.h"
 #include "core/base/timing.h"
 #include "core/image_io/encode_image.h"
+#include "core/image_io/read_image.h"
 #include "core/render/aov.h"
-#include "core/render/fingerprint.h"
+#include "core/render/picture_files.h"
+#include "core/render/picture_record.h"
 #include "core/scene/view.h"
 
 namespace hybridrt::cli {
 namespace {
 
 constexpr int kSheetColumns = 4, kSheetCell_px = 320, kMostSheetCells = 20;
+constexpr int kNoFrame = std::numeric_limits<int>::min();
 
 /// For the headers of pictures that keep it.
 ImageCamera image_camera(const Camera& camera, const RenderSettings& s) {
@@ -35,11 +37,17 @@ ImageCamera image_camera(const Camera& camera, const RenderSettings& s) {
 
 }  // namespace
 
-SheetCollector::SheetCollector(int64_t frames)
-    : step_(std::max<int64_t>(1, (frames + kMostSheetCells - 1) / kMostSheetCells)) {}
+SheetCollector::SheetCollector(const FrameSpec& frames) {
+  const int64_t step = std::max<int64_t>(1, (frames.count() + kMostSheetCells - 1) / kMostSheetCells);
+  FrameCursor cursor(frames);
+  int64_t place = 0;
+  while (const std::optional<int> frame = cursor.next())
+    if (place++ % step == 0) shown_.insert(*frame);
+}
 
-void SheetCollector::add(const Image& picture) {
-  if (seen_++ % step_ != 0) return;
+void SheetCollector::add(const Frame& frame) {
+  if (!shows(frame.number)) return;
+  const Image& picture = frame.picture;
   const int height = std::max(1, picture.height_px * kSheetCell_px / picture.width_px);
   cells_.push_back(box_filtered(picture, kSheetCell_px, height));
 }
@@ -50,11 +58,40 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
     : options_(options),
       paths_(paths),
       job_(job),
-      scene_fingerprint_(fingerprint(job.scene)),
       layered_(!paths.to_standard_output && keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
-      sheet_(job.frames.count()),
+      with_record_(!paths.to_standard_output &&
+                   !keeps_metadata(output_path(paths.pattern, job.frames.lowest()).string())),
+      sheet_(options.contact_sheet.empty() ? FrameSpec{{}} : job.frames),
       sink_(encode_image_file, threads, static_cast<size_t>(2 * threads)) {
-  if (!paths.timings.empty()) timings_.emplace(paths.timings);
+  if (paths.timings.empty()) return;
+  if (options.existing == Existing::resume) earlier_rows_ = read_timings_rows(paths.timings);
+  timings_.emplace(paths.timings);
+}
+
+bool FrameWriter::is_kept(int frame) const {
+  if (options_.existing != Existing::resume || sheet_.shows(frame)) return false;
+  const std::string expected = description_of(frame_metadata(metadata_, job_, frame));
+  const auto is_as_expected = [&](const std::filesystem::path& file) {
+    return (with_record_ ? read_record(file) : read_description(file)) == expected;
+  };
+  if (!is_as_expected(output_path(paths_.pattern, frame))) return false;
+  const std::vector<std::string_view> aovs = layered_ ? std::vector<std::string_view>() : aov_names(job_.settings.aovs);
+  return std::all_of(aovs.begin(), aovs.end(),
+                     [&](std::string_view aov) { return is_as_expected(output_path(paths_.pattern, frame, aov)); });
+}
+
+bool FrameWriter::keeps(int frame) {
+  const bool kept = is_kept(frame);
+  asked_.emplace_back(frame, kept);
+  return kept;
+}
+
+void FrameWriter::add_kept_rows_before(int frame) {
+  for (; !asked_.empty() && asked_.front().first != frame; asked_.pop_front())
+    if (const auto row = earlier_rows_.find(asked_.front().first);
+        timings_ && asked_.front().second && row != earlier_rows_.end())
+      timings_->add_row(row->second);
+  if (!asked_.empty()) asked_.pop_front();
 }
 
 void FrameWriter::write_to_standard_output(const Image& picture, const ImageMetadata& metadata) {
@@ -66,36 +103,35 @@ void FrameWriter::write_to_standard_output(const Image& picture, const ImageMeta
 
 void FrameWriter::write(Frame&& frame) {
   const int number = frame.number;
-  const FrameRequest request = frame_request(job_, number);
-  const ImageMetadata metadata = {
-      {"hybridrt", kVersion},
-      {"settings", settings_line(job_.settings)},
-      {"fingerprint", fmt::format("{:016x}", fingerprint(scene_fingerprint_, request, job_.settings))}};
+  const ImageMetadata metadata = frame_metadata(metadata_, job_, number);
   const auto written = [this, number](double ms) {
     if (timings_) timings_->file_written(number, ms);
   };
+  add_kept_rows_before(number);
   if (timings_) timings_->add(frame, static_cast<int>(layered_ ? 1 : 1 + frame.aovs.size()));
-  if (!options_.contact_sheet.empty()) sheet_.add(frame.picture);
+  sheet_.add(frame);
   if (paths_.to_standard_output) {
     const Stopwatch writing;
     write_to_standard_output(frame.picture, metadata);
     return written(writing.elapsed_ms());
   }
   if (layered_) {
-    frame.picture.camera = image_camera(request.camera, job_.settings);
+    frame.picture.camera = image_camera(frame_request(job_, number).camera, job_.settings);
     frame.picture.layers = std::move(frame.aovs);
   } else {
     for (const ImageLayer& aov : frame.aovs)
       sink_.submit(output_path(paths_.pattern, number, aov.name),
-                   display_image(aov, frame.picture.width_px, frame.picture.height_px), written, metadata);
+                   display_image(aov, frame.picture.width_px, frame.picture.height_px), written, metadata,
+                   with_record_);
   }
-  sink_.submit(output_path(paths_.pattern, number), std::move(frame.picture), written, metadata);
+  sink_.submit(output_path(paths_.pattern, number), std::move(frame.picture), written, metadata, with_record_);
 }
 
 void FrameWriter::finish(RunTotals& totals) {
   const Stopwatch draining;
   sink_.drain();
   totals.drain_ms = draining.elapsed_ms();
+  add_kept_rows_before(kNoFrame);
   if (timings_) {
     timings_->finish();
     totals.write_ms = timings_->written_ms();

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "cli/frame_metadata.h"
 #include "cli/render_output.h"
 #include "cli/run_report.h"
 #include "core/image/contact_sheet.h"
@@ -16,13 +20,13 @@ namespace hybridrt::cli {
 /// Small copies of evenly spaced frames for the contact sheet.
 class SheetCollector {
  public:
-  explicit SheetCollector(int64_t frames);
-  void add(const Image& picture);
+  explicit SheetCollector(const FrameSpec& frames);
+  bool shows(int frame) const { return shown_.contains(frame); }
+  void add(const Frame& frame);
   Image sheet() const;
 
  private:
-  const int64_t step_;
-  int64_t seen_ = 0;
+  std::set<int> shown_;
   std::vector<Image> cells_;
 };
 
@@ -31,6 +35,14 @@ class FrameWriter {
  public:
   /// Job, paths and options must outlive it. Throws Error(output) when the timings cannot be written.
   FrameWriter(const OutputOptions& options, const OutputPaths& paths, const RenderJob& job, int threads);
+
+  /// Before the first frame, once it is known where passes run.
+  void start(const RunFacts& facts) { metadata_ = run_metadata(job_, facts, layered_); }
+
+  /// Whether the files of a frame are there and are what this run would write, byte for byte; then their row of an
+  /// earlier timings.csv is kept too. Asked for each frame, in order, before it is rendered. Frames of the contact
+  /// sheet are wanted.
+  bool keeps(int frame);
 
   /// Blocks while too many pictures wait to be written. Throws Error(output) if an earlier one could not be written.
   void write(Frame&& frame);
@@ -41,12 +53,17 @@ class FrameWriter {
   const OutputOptions& options_;
   const OutputPaths& paths_;
   const RenderJob& job_;
-  const uint64_t scene_fingerprint_;
-  const bool layered_;  ///< AOVs are layers of the picture, not files of their own
+  const bool layered_;      ///< AOVs are layers of the picture, not files of their own
+  const bool with_record_;  ///< the format keeps no metadata
+  RunMetadata metadata_;
+  std::map<int, std::string> earlier_rows_;
+  std::deque<std::pair<int, bool>> asked_;  ///< frames of keeps() that have not come to the timings; true: kept
   SheetCollector sheet_;
   std::optional<TimingsCsv> timings_;
   FileSink sink_;
 
+  bool is_kept(int frame) const;
+  void add_kept_rows_before(int frame);
   void write_to_standard_output(const Image& picture, const ImageMetadata& metadata);
 };
 

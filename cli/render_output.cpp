@@ -129,6 +129,23 @@ OutputPaths picture_to_standard_output(const OutputOptions& options, const Rende
   return paths;
 }
 
+/// Throws Error(usage) naming the first picture or AOV that is there.
+void require_none_there(const RenderJob& job, const OutputPattern& pattern) {
+  const std::vector<std::string_view> aovs = aov_files(job, pattern);
+  const auto require_absent = [](const fs::path& file) {
+    std::error_code unreachable;
+    if (fs::exists(file, unreachable))
+      throw error(ErrorKind::usage,
+                  "--existing refuse: {} is there; write elsewhere, remove it, or take --existing overwrite or resume",
+                  file.string());
+  };
+  FrameCursor cursor(job.frames);
+  while (const std::optional<int> frame = cursor.next()) {
+    require_absent(output_path(pattern, *frame));
+    for (const std::string_view aov : aovs) require_absent(output_path(pattern, *frame, aov));
+  }
+}
+
 }  // namespace
 
 OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source, const RenderJob& job, RunFiles& files,
@@ -137,6 +154,9 @@ OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source
   if (descriptor_named_by(options.timings) == STDOUT_FILENO) options.timings = "-";
   if (options.json && options.timings == "-")
     throw error(ErrorKind::usage, "--timings - and --json both want standard output; give --timings a file");
+  if (options.pattern == "-" && options.existing != Existing::overwrite)
+    throw error(ErrorKind::usage,
+                "-o - writes to standard output, where nothing is there already; leave --existing out");
   if (options.pattern == "-") return picture_to_standard_output(options, job, files, claims);
   OutputPaths paths;
   const std::string usual = "out/" + short_name(source) + ".####.png";
@@ -151,6 +171,7 @@ OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source
   name_tables(options, job, !is_whole(job), paths);
   keep_others_tables(options, paths);
   require_files_apart(options, job, paths, files);
+  if (options.existing == Existing::refuse) require_none_there(job, paths.pattern);
   claim_all(options, job, paths, claims, warnings);
   add_tables(options, paths, files);
   require_writable(first);

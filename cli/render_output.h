@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/file_claims.h"
+#include "core/base/named.h"
 #include "core/base/run_files.h"
 #include "core/base/warnings.h"
 #include "core/load/scene_source.h"
@@ -12,9 +13,15 @@
 
 namespace hybridrt::cli {
 
+/// What becomes of pictures that are there already.
+enum class Existing { overwrite, resume, refuse };
+inline constexpr Named<Existing> kExisting[] = {
+    {"overwrite", Existing::overwrite}, {"resume", Existing::resume}, {"refuse", Existing::refuse}};
+
 /// The options about a render's files.
 struct OutputOptions {
   std::string pattern, timings, contact_sheet;
+  Existing existing = Existing::overwrite;
   bool json = false, quiet = false, verbose = false;
 };
 

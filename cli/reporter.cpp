@@ -44,6 +44,14 @@ void Reporter::start(const RenderOptions& options, const RenderJob& job, const R
                               job.scene.triangle_count(), settings_line(job.settings), renderer, facts.ready_ms));
 }
 
+void Reporter::kept(int frame, const std::filesystem::path& path) {
+  progress_.frame_done();
+  if (json_)
+    emit({{"event", "kept"}, {"frame", frame}, {"path", path.string()}});
+  else if (verbose_)
+    progress_.say(fmt::format("frame {}: kept {}", frame, path.string()));
+}
+
 void Reporter::frame(const Frame& frame, const std::filesystem::path& path) {
   progress_.frame_done();
   if (json_) {
@@ -61,6 +69,7 @@ void Reporter::end(const RunTotals& totals, bool stopped) {
   if (json_)
     emit({{"event", "end"},
           {"frames", totals.frames},
+          {"kept", totals.kept},
           {"stopped", stopped},
           {"frames_per_second", totals.frames_per_second()}});
 }

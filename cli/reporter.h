@@ -20,6 +20,8 @@ class Reporter {
   /// What users may want to know, unless they want quiet.
   void notes(const std::vector<std::string>& all);
   void start(const RenderOptions& options, const RenderJob& job, const RunFacts& facts);
+  /// A frame whose files were there.
+  void kept(int frame, const std::filesystem::path& path);
   void frame(const Frame& frame, const std::filesystem::path& path);
   void end(const RunTotals& totals, bool stopped);
 

@@ -74,6 +74,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
   report["drain_ms"] = totals.drain_ms;
   report["frames"] = totals.frames;
   report["repeated_frames"] = totals.repeated;
+  report["kept_frames"] = totals.kept;
   report["frames_per_second"] = totals.frames_per_second();
   report["peak_memory_mib"] = peak_memory_mib();
   report["warnings"] = warnings;

@@ -91,7 +91,8 @@ double RunTotals::frames_per_second() const { return wall_ms > 0 ? static_cast<d
 
 std::string summary_table(const RenderJob& job, const RunTotals& totals) {
   return times_table(job, totals) + rays_table(job, totals) +
-         fmt::format("{} frame{}{}, {:.2f} frames/s\n", totals.frames, totals.frames == 1 ? "" : "s",
+         fmt::format("{} frame{}{}{}, {:.2f} frames/s\n", totals.frames, totals.frames == 1 ? "" : "s",
+                     totals.kept ? fmt::format(", {} kept", totals.kept) : "",
                      totals.repeated ? fmt::format(" ({} show what the one before shows)", totals.repeated) : "",
                      totals.frames_per_second());
 }

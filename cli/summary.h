@@ -11,7 +11,8 @@ namespace hybridrt::cli {
 /// What a run has to tell at its end.
 struct RunTotals {
   int64_t frames = 0;
-  int64_t repeated = 0;  ///< of them, those that were not rendered again
+  int64_t kept = 0;      ///< beside them, those whose files were there
+  int64_t repeated = 0;  ///< of `frames`, those that were not rendered again
   TraceStats stats;      ///< of those that were rendered, as is what follows
   double wall_ms = 0;
 

@@ -75,19 +75,9 @@ Image with_writable_channels(const Image& image, const OIIO::ImageOutput& writer
   return result;
 }
 
-std::string description(const ImageMetadata& metadata) {
-  std::string text;
-  for (const auto& [name, value] : metadata) {
-    HRT_CHECK(name.find_first_of("=\n") == std::string::npos && value.find('\n') == std::string::npos);
-    if (!text.empty()) text += '\n';
-    text += name + "=" + value;
-  }
-  return text;
-}
-
 OIIO::ImageSpec make_spec(const Image& image, std::string_view format, bool is_float, const ImageMetadata& metadata) {
   OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, is_float ? OIIO::TypeFloat : OIIO::TypeUInt8);
-  if (!metadata.empty()) spec.attribute("ImageDescription", description(metadata));
+  if (!metadata.empty()) spec.attribute("ImageDescription", description_of(metadata));
   if (format != "openexr") spec.attribute("oiio:UnassociatedAlpha", 1);  // leave the colours alone
   // A DateTime that is not a string: the writers see that there is one, do not add the current time, and then write
   // none.
@@ -156,6 +146,13 @@ bool keeps_layers(const std::string& format_or_name) {
 bool keeps_alpha(const std::string& format_or_name) {
   const Output writer = create_writer(format_or_name);
   return writer && writer->supports("alpha");
+}
+
+bool keeps_metadata(const std::string& format_or_name) {
+  const Output writer = create_writer(format_or_name);
+  if (!writer) return false;
+  const std::string_view format = writer->format_name();
+  return format == "png" || format == "openexr" || format == "jpeg" || format == "tiff";
 }
 
 void require_writable_format(const std::filesystem::path& name) { require_writer(name.string()); }

@@ -18,6 +18,9 @@ void require_writable_format(const std::filesystem::path& name);
 /// Whether files of that format keep an image's layers.
 bool keeps_layers(const std::string& format_or_name);
 
+/// Whether read_description() finds the metadata in files of that format.
+bool keeps_metadata(const std::string& format_or_name);
+
 /// Whether files of that format keep an alpha channel beside colours.
 bool keeps_alpha(const std::string& format_or_name);
 

@@ -168,6 +168,12 @@ Image read_image(const fs::path& path) try {
   throw error(ErrorKind::input, "{}: too large for the memory; use a smaller image", path.string());
 }
 
+std::string read_description(const fs::path& path) try {
+  return open_image(path)->spec().get_string_attribute("ImageDescription");
+} catch (const Error&) {
+  return "";
+}
+
 TexelImage read_texels(const fs::path& path, int largest_side_px, uint64_t most_texels) try {
   const Input input = open_image(path);
   const OIIO::ImageSpec& spec = input->spec();

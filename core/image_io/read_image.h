@@ -17,6 +17,10 @@ inline constexpr double kMaxImagePixels = 1 << 30;
 /// OpenImageIO reads, cut short, over the limits above, or too large for memory.
 Image read_image(const std::filesystem::path& path);
 
+/// The description that encode_image() made of its metadata; empty if there is none, or the file is no image that can
+/// be read. Looks at the header, and at a PNG's checksums. Thread-safe.
+std::string read_description(const std::filesystem::path& path);
+
 /// The same as 8-bit display codes, for textures; a TexelReader. Float files are clamped to 0-1 and encoded as sRGB;
 /// grey becomes three equal colours; channels beyond four are left out. Alpha that a BMP or TGA file itself calls
 /// unused counts as opaque (unused_alpha.h). Takes four bytes per pixel. Also throws over the given limits.

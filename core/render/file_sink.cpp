@@ -7,6 +7,7 @@
 #include "core/base/output_file.h"
 #include "core/base/start_thread.h"
 #include "core/base/timing.h"
+#include "core/render/picture_record.h"
 
 namespace hybridrt {
 namespace fs = std::filesystem;
@@ -34,12 +35,12 @@ void FileSink::stop() {
   for (std::thread& worker : workers_) worker.join();
 }
 
-void FileSink::submit(fs::path path, Image image, Done done, ImageMetadata metadata) {
+void FileSink::submit(fs::path path, Image image, Done done, ImageMetadata metadata, bool with_record) {
   {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] { return queue_.size() < max_queued_ || failure_; });
     rethrow_failure();
-    queue_.push_back({std::move(path), std::move(image), std::move(metadata), std::move(done)});
+    queue_.push_back({std::move(path), std::move(image), std::move(metadata), std::move(done), with_record});
   }
   job_waits_.notify_one();
 }
@@ -85,7 +86,12 @@ void FileSink::work() {
 void FileSink::write(const Job& job) {
   const Stopwatch stopwatch;
   const std::vector<unsigned char> bytes = encode_(job.image, job.path, job.metadata);
+  std::error_code missing;
+  if (job.with_record) fs::remove(record_path(job.path), missing);
   write_file_atomically(job.path, std::as_bytes(std::span(bytes)));
+  if (job.with_record)
+    write_file_atomically(record_path(job.path),
+                          record_text(description_of(job.metadata), std::as_bytes(std::span(bytes))));
   if (!job.done) return;
   const double write_ms = stopwatch.elapsed_ms();
   std::lock_guard lock(one_done_at_a_time_);

@@ -37,7 +37,11 @@ class FileSink {
   ///
   /// Throws the first failure of an earlier picture once (Error (output) from the disk or the encoder); this image is
   /// then not taken. The other pictures are still written, and the sink stays usable.
-  void submit(std::filesystem::path path, Image image, Done done = {}, ImageMetadata metadata = {});
+  ///
+  /// `with_record`: the metadata also go into a record beside the picture (picture_record.h), written after it; an old
+  /// one is removed before.
+  void submit(std::filesystem::path path, Image image, Done done = {}, ImageMetadata metadata = {},
+              bool with_record = false);
 
   /// Waits until all pictures are written; throws as `submit`.
   void drain();
@@ -48,6 +52,7 @@ class FileSink {
     Image image;
     ImageMetadata metadata;
     Done done;
+    bool with_record = false;
   };
 
   void stop();

@@ -74,6 +74,15 @@ uint64_t fingerprint(const Scene& scene) {
   return hash.state;
 }
 
+uint64_t fingerprint(const gl::ShaderSources& shaders) {
+  Hasher hash{0x676c736c};
+  for (const auto& [name, text] : shaders) {
+    hash.values(std::span(name));
+    hash.values(std::span(text));
+  }
+  return hash.state;
+}
+
 uint64_t fingerprint(uint64_t scene, const FrameRequest& request, const RenderSettings& s) {
   Hasher hash{scene};
   const Camera& c = request.camera;

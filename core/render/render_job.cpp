@@ -32,10 +32,12 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
   RunFacts facts;
   FrameCursor cursor(job.frames);
   const auto next_frame = [&]() -> std::optional<FrameRequest> {
-    if (stop()) return std::nullopt;
-    const std::optional<int> number = cursor.next();
-    if (!number) return std::nullopt;
-    return frame_request(job, *number);
+    while (!stop()) {
+      const std::optional<int> number = cursor.next();
+      if (!number) break;
+      if (!job.wants || job.wants(*number)) return frame_request(job, *number);
+    }
+    return std::nullopt;
   };
   const FrameEnds ends =
       job.repeats_still_frames ? without_repeats(next_frame, deliver_frame) : FrameEnds{next_frame, deliver_frame};

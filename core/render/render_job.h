@@ -27,9 +27,10 @@ struct RenderJob {
   SceneCaster<float> caster;  ///< for `scene` by settings.accel, if it was needed already; else run() builds one
   uint64_t most_bytes = std::numeric_limits<uint64_t>::max();  ///< memory limit, by the estimates
   gl::ContextRequest gl;
-  std::string forms_reason;          ///< why settings.forms is what it is, for people; empty: nobody need be told
-  gl::ShaderSources shaders;         ///< for the methods that use GL
-  bool repeats_still_frames = true;  ///< a frame that shows what the one before shows is not rendered again
+  std::string forms_reason;              ///< why settings.forms is what it is, for people; empty: nobody need be told
+  gl::ShaderSources shaders;             ///< for the methods that use GL
+  std::function<bool(int frame)> wants;  ///< asked for each frame, in order, before it is rendered; empty: all of them
+  bool repeats_still_frames = true;      ///< a frame that shows what the one before shows is not rendered again
 };
 
 /// Gives the job its scene and computes, once per run, what depends on it. Bodies that are inside out are turned, with

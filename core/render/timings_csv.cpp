@@ -1,6 +1,10 @@
 #include "core/render/timings_csv.h"
 
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 
 #include "core/render/frame_columns.h"
 
@@ -14,20 +18,46 @@ std::string line_of(int frame, double write_ms, FrameTimings timings, const Trac
   return fmt::format("{},{}\n", frame, fmt::join(frame_cells(timings, stats), ","));
 }
 
+std::string header() { return fmt::format("frame,{}", fmt::join(frame_columns(), ",")); }
+
 }  // namespace
+
+std::map<int, std::string> read_timings_rows(const std::string& path) {
+  std::map<int, std::string> rows;
+  std::error_code unreachable;
+  if (!std::filesystem::is_regular_file(path, unreachable)) return rows;
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line) || line != header()) return rows;
+  const auto cells = std::count(line.begin(), line.end(), ',');
+  while (std::getline(file, line)) {
+    int frame = 0;
+    const auto read = std::from_chars(line.data(), line.data() + line.size(), frame);
+    if (read.ec == std::errc() && *read.ptr == ',' && std::count(line.begin(), line.end(), ',') == cells)
+      rows[frame] = line;
+  }
+  return rows;
+}
 
 TimingsCsv::TimingsCsv(const std::string& path)
     : file_(path == "-" ? OutputFile::standard_output() : OutputFile(path)) {
-  file_.write(fmt::format("frame,{}\n", fmt::join(frame_columns(), ",")));
+  file_.write(header() + "\n");
 }
 
 void TimingsCsv::add(const Frame& frame, int files) {
   {
     std::lock_guard lock(mutex_);
-    rows_[delivered_] = {frame.number, Row{files, 0, frame.timings, frame.stats}};
+    rows_[delivered_] = {frame.number, Row{files, 0, frame.timings, frame.stats, {}}};
     order_of_frame_[frame.number] = delivered_++;
   }
   if (files == 0) write_complete_rows();
+}
+
+void TimingsCsv::add_row(std::string line) {
+  std::lock_guard lock(mutex_);
+  Row row;
+  row.line = std::move(line);
+  rows_[delivered_++] = {0, std::move(row)};
 }
 
 void TimingsCsv::file_written(int frame, double write_ms) {
@@ -60,8 +90,12 @@ std::string TimingsCsv::take_complete_rows() {
   std::string lines;
   while (!rows_.empty() && rows_.begin()->second.second.files_left == 0) {
     const auto& [frame, row] = rows_.begin()->second;
-    lines += line_of(frame, row.write_ms, row.timings, row.stats);
-    order_of_frame_.erase(frame);
+    if (row.line.empty()) {
+      lines += line_of(frame, row.write_ms, row.timings, row.stats);
+      order_of_frame_.erase(frame);
+    } else {
+      lines += row.line + "\n";
+    }
     rows_.erase(rows_.begin());
   }
   return lines;

@@ -10,6 +10,10 @@
 
 namespace hybridrt {
 
+/// The rows of an earlier timings CSV with the same columns, by frame, without their line ends; nothing if there is
+/// none.
+std::map<int, std::string> read_timings_rows(const std::string& path);
+
 /// The timings CSV: one row per frame, in the order of delivery, each held back until the frame's files are written and
 /// its write_ms is known. The file is written atomically, as a run may be killed: it appears with the first row and is
 /// replaced by a longer one from time to time, which takes at most 2 % of the time (a killed run may lack the rows
@@ -22,6 +26,8 @@ class TimingsCsv {
   /// `files`: how many file_written() calls will follow for this frame.
   void add(const Frame& frame, int files);
   void file_written(int frame, double write_ms);
+  /// Adds a frame's row as it stood in an earlier file.
+  void add_row(std::string line);
 
   /// Sum of all write_ms so far.
   double written_ms() const { return written_ms_; }
@@ -35,6 +41,7 @@ class TimingsCsv {
     double write_ms = 0;
     FrameTimings timings;
     TraceStats stats;
+    std::string line;  ///< the whole row, if it is known already
   };
   void write_complete_rows();
   std::string take_complete_rows();
