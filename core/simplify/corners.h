@@ -25,8 +25,8 @@ inline CornerTriangle as_it_is(uint32_t t) { return {t, {3 * t, 3 * t + 1, 3 * t
 /// triangles of one material.
 bool shade_alike(const Scene& scene, Corner a, Corner b);
 
-/// A scene of these triangles, in their order, with what they use of the arrays of `scene` and all its materials; arrays
-/// keep their order. Textures' texels are copied.
+/// A scene of these triangles, in their order, with what they use of the arrays of `scene` and all its materials;
+/// arrays keep their order. Textures' texels are copied.
 Scene scene_of_corners(const Scene& scene, const std::vector<CornerTriangle>& triangles);
 
 }  // namespace hybridrt

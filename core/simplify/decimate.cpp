@@ -17,8 +17,8 @@ namespace {
 
 using namespace decimation;
 
-constexpr double kMostTurn_deg = 60;     // of a triangle by one collapse
-constexpr double kLargestAspect = 20;    // of a new triangle, unless worse ones vanish
+constexpr double kMostTurn_deg = 60;   // of a triangle by one collapse
+constexpr double kLargestAspect = 20;  // of a new triangle, unless worse ones vanish
 constexpr size_t kCollapsesBetweenAsking = 4096;
 
 class StopWatcher final : public OpenMesh::Decimater::Observer {

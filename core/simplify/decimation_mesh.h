@@ -2,10 +2,9 @@
 
 // Inside core/simplify only: OpenMesh's types stay in its .cpp files.
 
-#include <vector>
-
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <vector>
 
 #include "core/simplify/kept_vertices.h"
 
@@ -30,8 +29,8 @@ inline dvec3 to_dvec3(const Mesh::Point& p) { return {p[0], p[1], p[2]}; }
 struct SurfaceMesh {
   Mesh mesh;
   std::vector<CornerTriangle> triangle_of_face;
-  dvec3 center{0};               ///< scene space
-  double mesh_from_scene = 1;    ///< scale
+  dvec3 center{0};             ///< scene space
+  double mesh_from_scene = 1;  ///< scale
 };
 SurfaceMesh make_surface_mesh(const Scene& scene, const Fans& fans);
 

@@ -3,16 +3,15 @@
 // Inside core/simplify only: modules of our own for OpenMesh's decimater. It makes them itself, so they get what they
 // work on afterwards, before initialize().
 
-#include <vector>
-
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <vector>
 
 #include "core/simplify/decimation_mesh.h"
 
 namespace hybridrt::decimation {
 
-/// Keeps what triangles have at their corners. A collapse of v0 into v1 moves corners at v0 to v1: it is legal where the
-/// two triangles that vanish shade alike at v1, and the moved corners become theirs. It is also illegal where what
+/// Keeps what triangles have at their corners. A collapse of v0 into v1 moves corners at v0 to v1: it is legal where
+/// the two triangles that vanish shade alike at v1, and the moved corners become theirs. It is also illegal where what
 /// remains would be two triangles back to back, which OpenMesh allows.
 class KeepCorners final : public Module {
  public:
@@ -75,7 +74,7 @@ class SampledBounds final : public Module {
   Quadrics* quadrics_ = nullptr;
   Mesh::VertexHandle looked_at_;  ///< the vertex whose collapses are looked at
   float best_ = 0;                ///< the priority of the best of them that is legal
-  std::vector<Moved> moved_;     ///< of the collapse at hand
+  std::vector<Moved> moved_;      ///< of the collapse at hand
   std::vector<Sample> gathered_;  ///< of the collapse at hand
 };
 

@@ -19,10 +19,10 @@ void fill_embree_triangles(RTCDevice device, RTCGeometry geometry, std::span<con
                            std::span<const uvec3> triangles) {
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
   // Embree reads 16 bytes per vertex: its own buffers are padded for that, ours are not.
-  auto* const vertices = static_cast<vec3*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), positions.size()));
-  auto* const indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-                                                                    RTC_FORMAT_UINT3, sizeof(uvec3), triangles.size()));
+  auto* const vertices = static_cast<vec3*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), positions.size()));
+  auto* const indices = static_cast<uvec3*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), triangles.size()));
   throw_on_embree_error(device, "taking the triangles");
   std::copy(positions.begin(), positions.end(), vertices);
   std::copy(triangles.begin(), triangles.end(), indices);

@@ -45,9 +45,8 @@ Scene terrain_scene(int steps, const Height& height) {
 inline double brute_force_distance(const Scene& scene, const dvec3& p) {
   double least = std::numeric_limits<double>::infinity();
   for (uint32_t t = 0; t < scene.triangle_count(); ++t)
-    least = std::min(least,
-                     squared_distance_to_triangle(p, dvec3(scene.vertex(t, 0)), dvec3(scene.vertex(t, 1)),
-                                                  dvec3(scene.vertex(t, 2))));
+    least = std::min(least, squared_distance_to_triangle(p, dvec3(scene.vertex(t, 0)), dvec3(scene.vertex(t, 1)),
+                                                         dvec3(scene.vertex(t, 2))));
   return std::sqrt(least);
 }
 
