@@ -8,8 +8,9 @@
 namespace hybridrt {
 namespace {
 
-/// For each pixel the steps to the nearest one where `mask` is `value`: two passes of a chamfer, exact for steps of this
-/// kind (Rosenfeld and Pfaltz, Distance Functions on Digital Pictures, 1968). Nothing beyond the picture is covered.
+/// For each pixel the steps to the nearest one where `mask` is `value`: two passes of a chamfer, exact for steps of
+/// this kind (Rosenfeld and Pfaltz, Distance Functions on Digital Pictures, 1968). Nothing beyond the picture is
+/// covered.
 std::vector<int> steps_to(std::span<const uint8_t> mask, uint8_t value, int width, int height) {
   const int farthest = std::max(width, height);
   std::vector<int> steps(mask.size());

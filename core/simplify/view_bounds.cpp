@@ -33,11 +33,10 @@ struct Pixels {
 
   Pixels(const Sight& of, const Aabb& scene, double max_error_px) : sight(of) {
     const View& view = of.view;
-    share = max_error_px * std::min(2 * view.tan_half_width / view.frame_width_px,
-                                    2 * view.tan_half_height / view.frame_height_px);
+    share = max_error_px *
+            std::min(2 * view.tan_half_width / view.frame_width_px, 2 * view.tan_half_height / view.frame_height_px);
     share /= 1 + share;  // what has moved may be nearer by as much
-    corner_cosine =
-        1 / (1 + view.tan_half_width * view.tan_half_width + view.tan_half_height * view.tan_half_height);
+    corner_cosine = 1 / (1 + view.tan_half_width * view.tan_half_width + view.tan_half_height * view.tan_half_height);
     distance_of_scene = glm::length(view.eye - glm::clamp(view.eye, dvec3(scene.lo), dvec3(scene.hi)));
   }
 

@@ -18,8 +18,8 @@ struct Sight {
 /// How far each triangle's surface may move in scene units so that no frame shows it move by more than `max_error_px`
 /// pixels: reduces `bounds` (one a triangle) by the frames of `sights`.
 ///
-/// A pixel at distance r and angle a from the middle of the view is r cos(a)^2 * 2 tan(fov / 2) / size_px wide, where it
-/// is narrowest; r is that of the triangle's nearest point, a the largest of its points, at most that of the frame's
+/// A pixel at distance r and angle a from the middle of the view is r cos(a)^2 * 2 tan(fov / 2) / size_px wide, where
+/// it is narrowest; r is that of the triangle's nearest point, a the largest of its points, at most that of the frame's
 /// corners. A triangle is near wherever its shadow may fall too: anywhere along the light inside the scene's box.
 /// Whether anything is in view, or hidden, does not count, as it may be seen in a mirror. 0 where the eye is in the
 /// surface.

@@ -34,13 +34,12 @@ dvec2 projected(const View& view, const dvec3& p) {
 }
 
 /// A triangle of side 1e-3 at a point.
-Scene speck(const vec3& at) {
-  return bare_scene({at, at + vec3(1e-3f, 0, 0), at + vec3(0, 1e-3f, 0)}, {{0, 1, 2}});
-}
+Scene speck(const vec3& at) { return bare_scene({at, at + vec3(1e-3f, 0, 0), at + vec3(0, 1e-3f, 0)}, {{0, 1, 2}}); }
 
 TEST(ViewBounds, APixelInTheMiddle) {
   const double expected = 0.5 * 10 * 2 * std::tan(25 * kPi / 180) / 240;
-  EXPECT_NEAR(bounds_of(speck({0, 0, -10}), {{view_from({0, 0, 0}, {0, 0, -1}), {}}}, 0.5)[0], expected, 0.01 * expected);
+  EXPECT_NEAR(bounds_of(speck({0, 0, -10}), {{view_from({0, 0, 0}, {0, 0, -1}), {}}}, 0.5)[0], expected,
+              0.01 * expected);
 }
 
 TEST(ViewBounds, NoMoveIsMoreThanAPixelAndSomeIsNearlyOne) {
