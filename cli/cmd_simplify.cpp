@@ -97,8 +97,10 @@ ExitCode simplify_scene(const SimplifyOptions& options) {
   report.bytes_after = written.obj_bytes + written.mtl_bytes;
   report.frames = compare_frames(job, after, pool);
   tell();
-  fmt::print("{}", options.json ? report_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                                : report_text(report));
+  fmt::print("{}",
+             options.json
+                 ? report_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+                 : report_text(report));
   return interrupted_or(ExitCode::ok);
 }
 

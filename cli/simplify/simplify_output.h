@@ -24,8 +24,8 @@ SimplifyOutput prepare_simplify_output(const std::filesystem::path& obj, const S
 /// The size of the files that the scene was read from; nothing for a scene that was made or came from a pipe.
 std::optional<uint64_t> bytes_of_files(const Scene& scene);
 
-/// Throws Error(input) unless the memory limit leaves room for simplifying the job's scene and for the scenes before and
-/// after, by an estimate.
+/// Throws Error(input) unless the memory limit leaves room for simplifying the job's scene and for the scenes before
+/// and after, by an estimate.
 void require_room_to_simplify(const RenderJob& job, const SceneSource& source);
 
 }  // namespace hybridrt::cli

@@ -22,15 +22,16 @@ Json frames_json(const std::vector<FrameDifference>& frames) {
   return all;
 }
 
-std::string times(double before, double after) { return after > 0 ? fmt::format(", {:.2f} x fewer", before / after) : ""; }
+std::string times(double before, double after) {
+  return after > 0 ? fmt::format(", {:.2f} x fewer", before / after) : "";
+}
 
 std::string frames_text(const std::vector<FrameDifference>& frames) {
   const auto less = [](const FrameDifference& a, const FrameDifference& b) { return a.psnr_db < b.psnr_db; };
   const FrameDifference& worst = *std::min_element(frames.begin(), frames.end(), less);
-  std::string text = std::isinf(worst.psnr_db)
-                         ? "frames      equal to the last bit of 8-bit files\n"
-                         : fmt::format("frames      PSNR at least {:.2f} dB (frame {} of {})\n", worst.psnr_db,
-                                       worst.frame, frames.size());
+  std::string text = std::isinf(worst.psnr_db) ? "frames      equal to the last bit of 8-bit files\n"
+                                               : fmt::format("frames      PSNR at least {:.2f} dB (frame {} of {})\n",
+                                                             worst.psnr_db, worst.frame, frames.size());
   int outline = -1;
   for (const FrameDifference& frame : frames) outline = std::max(outline, frame.outline_px.value_or(-1));
   return text + (outline < 0 ? "outlines    not measured at several samples a pixel\n"
@@ -60,9 +61,9 @@ Json report_json(const SimplifyReport& r) {
 }
 
 std::string report_text(const SimplifyReport& r) {
-  std::string text = fmt::format(
-      "{}: {} triangles of {}{}\n", r.output, r.triangles_after, r.triangles_before,
-      times(static_cast<double>(r.triangles_before), static_cast<double>(r.triangles_after)));
+  std::string text =
+      fmt::format("{}: {} triangles of {}{}\n", r.output, r.triangles_after, r.triangles_before,
+                  times(static_cast<double>(r.triangles_before), static_cast<double>(r.triangles_after)));
   if (r.triangles_unseen > 0) text += fmt::format("unseen      {} triangles left out\n", r.triangles_unseen);
   text += r.bytes_before ? fmt::format("bytes       {} of {}{}\n", r.bytes_after, *r.bytes_before,
                                        times(static_cast<double>(*r.bytes_before), static_cast<double>(r.bytes_after)))
@@ -70,7 +71,8 @@ std::string report_text(const SimplifyReport& r) {
   text += fmt::format("bounds      {:.4g} to {:.4g} scene units\n", r.least_bound, r.largest_bound);
   text += fmt::format("Hausdorff   {:.4g} from the original, {:.4g} from the simplified, at {} samples\n",
                       r.distance.from_original, r.distance.from_simplified, r.distance.samples);
-  text += fmt::format("            {:.2f} px of the {:g} px allowed\n", r.distance.share * r.max_error_px, r.max_error_px);
+  text +=
+      fmt::format("            {:.2f} px of the {:g} px allowed\n", r.distance.share * r.max_error_px, r.max_error_px);
   if (!r.frames.empty()) text += frames_text(r.frames);
   return text;
 }

@@ -16,9 +16,9 @@ struct SimplifyReport {
   std::string scene, output, materials;  ///< as given, and the files written
   double max_error_px = 0;
   size_t triangles_before = 0, triangles_after = 0;
-  size_t triangles_unseen = 0;            ///< of those that simplifying left, left out as no frame sees them
-  std::optional<uint64_t> bytes_before;   ///< of the meshes and materials read; nothing for a made scene
-  uint64_t bytes_after = 0;               ///< of the OBJ and MTL written
+  size_t triangles_unseen = 0;                ///< of those that simplifying left, left out as no frame sees them
+  std::optional<uint64_t> bytes_before;       ///< of the meshes and materials read; nothing for a made scene
+  uint64_t bytes_after = 0;                   ///< of the OBJ and MTL written
   double least_bound = 0, largest_bound = 0;  ///< over the triangles, scene units
   SurfaceDistance distance;
   int rounds = 0;
