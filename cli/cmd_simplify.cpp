@@ -8,10 +8,12 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/loading_line.h"
+#include "cli/simplify/drop_unseen.h"
 #include "cli/simplify/path_bounds.h"
 #include "cli/simplify/simplify_output.h"
 #include "cli/simplify/simplify_report.h"
 #include "cli/standard_streams.h"
+#include "core/load/mtl_writer.h"
 #include "core/load/obj_writer.h"
 #include "core/load/text_scan.h"
 
@@ -21,7 +23,7 @@ namespace {
 struct SimplifyOptions {
   RenderOptions render;
   std::string max_error, output;
-  bool json = false, quiet = false;
+  bool drop_unseen = false, json = false, quiet = false;
 };
 
 constexpr double kMostError_px = 1000;
@@ -92,7 +94,16 @@ ExitCode simplify_scene(const SimplifyOptions& options) {
   report.rounds = lean.rounds;
 
   RenderJob after = job_with(job, std::move(lean.scene), pool, warnings);
-  const WrittenObj written = write_obj(after.scene, output.obj);
+  if (options.drop_unseen) {
+    after = job_with(job, without_unseen(after, pool), pool, warnings);
+    if (stop_requested()) return interrupted_or(ExitCode::ok);
+    report.triangles_unseen = report.triangles_after - after.scene.triangle_count();
+    report.triangles_after = after.scene.triangle_count();
+  }
+  const UpAxis up = render.up_axis.value_or(source.up_axis.value_or(UpAxis::y));
+  const WrittenObj written = write_obj(after.scene, output.obj, up);
+  warn_of_lost_materials(after.scene.materials, written.mtl, warnings);
+  warn_of_what_is_not_geometry(source, output.obj, warnings);
   report.output = output.obj.string(), report.materials = written.mtl.string();
   report.bytes_after = written.obj_bytes + written.mtl_bytes;
   report.frames = compare_frames(job, after, pool);
@@ -120,6 +131,11 @@ void add_simplify_command(CLI::App& app, Command& chosen) {
   command->add_option("-o,--output", options->output, "The .obj file; its .mtl beside it")
       ->type_name("FILE")
       ->required()
+      ->group(group);
+  command
+      ->add_flag("--drop-unseen", options->drop_unseen,
+                 "Also leave out what no frame sees, directly, in a mirror or by its shadow, at eight samples a pixel "
+                 "or more")
       ->group(group);
   command->add_flag("--json", options->json, "Print one JSON object instead of the text")->group(group);
   command->add_flag("-q,--quiet", options->quiet, "No progress while loading")->group(group);

@@ -23,7 +23,7 @@ ARROWS = {
     "core/load": ["core/procedural", "core/mesh", "core/scene", "core/image", "core/base"],
     "core/passes": ["core/scene", "core/base"],
     "core/trace": ["core/mesh", "core/scene", "core/image", "core/base"],
-    "core/simplify": ["core/trace", "core/mesh", "core/scene", "core/base"],
+    "core/simplify": ["core/raster", "core/trace", "core/mesh", "core/scene", "core/base"],
     "core/raster": ["core/trace", "core/mesh", "core/scene", "core/image", "core/base"],
     "core/passes_cpu": ["core/passes", "core/raster", "core/trace", "core/scene", "core/base"],
     "core/gl": ["core/base"],

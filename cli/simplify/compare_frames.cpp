@@ -1,7 +1,7 @@
 #include "cli/simplify/compare_frames.h"
 
-#include "cli/sweep/accuracy.h"
 #include "cli/sweep/loaded_scene.h"
+#include "cli/sweep/truth.h"
 #include "core/base/check.h"
 #include "core/image/compare.h"
 #include "core/simplify/silhouette.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kFramesAtOnce = 8;
 
-/// 1 where the frame sees something; empty if it has no ids.
+/// 1 where the frame sees something at the pixel's centre.
 std::vector<uint8_t> cover_of(const Frame& frame) {
   std::vector<uint8_t> cover;
   for (const ImageLayer& layer : frame.aovs)
@@ -23,10 +23,8 @@ std::vector<uint8_t> cover_of(const Frame& frame) {
 FrameDifference difference_of(const Frame& before, const Frame& after) {
   const CompareResult compared = compare_images(displayed(after.picture), displayed(before.picture));
   HRT_CHECK(compared.measured);
-  FrameDifference difference{before.number, compared.psnr_db, std::nullopt};
-  if (const std::vector<uint8_t> cover = cover_of(before); !cover.empty())
-    difference.outline_px = outline_distance(cover, cover_of(after), before.picture.width_px);
-  return difference;
+  return {before.number, compared.psnr_db,
+          outline_distance(cover_of(before), cover_of(after), before.picture.width_px)};
 }
 
 }  // namespace
@@ -34,6 +32,8 @@ FrameDifference difference_of(const Frame& before, const Frame& after) {
 std::vector<FrameDifference> compare_frames(RenderJob& before, RenderJob& after, ThreadPool& pool) {
   const KeptJob kept_before{before}, kept_after{after};
   std::vector<FrameDifference> differences;
+  RenderSettings settings = before.settings;
+  settings.aovs = kAovId;  // of the first sample, which is the pixel's centre
   FrameCursor cursor(before.frames);
   for (bool more = true; more;) {
     std::vector<FrameRange> some;
@@ -44,7 +44,8 @@ std::vector<FrameDifference> compare_frames(RenderJob& before, RenderJob& after,
         more = false;
     if (some.empty()) break;
     before.frames.ranges = after.frames.ranges = some;
-    const std::vector<Frame> as_was = render_to_compare(before, pool), as_is = render_to_compare(after, pool);
+    const std::vector<Frame> as_was = render_frames(before, settings, pool),
+                             as_is = render_frames(after, settings, pool);
     if (as_was.size() < some.size() || as_is.size() < some.size()) break;  // asked to stop
     for (size_t i = 0; i < some.size(); ++i) differences.push_back(difference_of(as_was[i], as_is[i]));
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/render/render_job.h"
@@ -10,8 +9,8 @@ namespace hybridrt::cli {
 /// A frame before and after.
 struct FrameDifference {
   int frame = 1;
-  double psnr_db = 0;             ///< of 8-bit display values; infinite where they are equal
-  std::optional<int> outline_px;  ///< outline_distance() at the pixels' centres; nothing at several samples a pixel
+  double psnr_db = 0;  ///< of 8-bit display values; infinite where they are equal
+  int outline_px = 0;  ///< outline_distance() at the pixels' centres
 };
 
 /// Renders the frames of `before` with both scenes, a few at a time; fewer if a signal asks to stop. Both jobs' frames

@@ -3,12 +3,13 @@
 #include <limits>
 
 #include "cli/interrupt.h"
-#include "core/simplify/view_bounds.h"
 
 namespace hybridrt::cli {
 namespace {
 
 constexpr size_t kFramesAtOnce = 64;
+
+}  // namespace
 
 Sight sight_of(const RenderJob& job, int frame) {
   const FrameRequest request = frame_request(job, frame);
@@ -18,8 +19,6 @@ Sight sight_of(const RenderJob& job, int frame) {
     if (light.casts_shadow) sight.toward_lights.push_back(light.toward);
   return sight;
 }
-
-}  // namespace
 
 std::vector<float> bounds_on_path(const RenderJob& job, double max_error_px, ThreadPool& pool) {
   std::vector<float> bounds(job.scene.triangle_count(), std::numeric_limits<float>::max());

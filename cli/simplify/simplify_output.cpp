@@ -22,6 +22,13 @@ std::vector<fs::path> inputs_of(const SceneSource& source, const Scene& scene) {
   return inputs;
 }
 
+bool is_texture(const Scene& scene, const fs::path& file) {
+  for (const Material& material : scene.materials)
+    for (const TextureMap& map : material.maps)
+      if (map.path == file) return true;
+  return false;
+}
+
 }  // namespace
 
 SimplifyOutput prepare_simplify_output(const fs::path& obj, const SceneSource& source, const Scene& scene) {
@@ -45,12 +52,19 @@ SimplifyOutput prepare_simplify_output(const fs::path& obj, const SceneSource& s
 std::optional<uint64_t> bytes_of_files(const Scene& scene) {
   uint64_t bytes = 0;
   for (const std::string& file : scene.files) {
+    if (is_texture(scene, file)) continue;
     std::error_code failed;
     const uint64_t size = fs::file_size(file, failed);
     if (failed) return std::nullopt;
     bytes += size;
   }
   return bytes > 0 ? std::optional(bytes) : std::nullopt;
+}
+
+void warn_of_what_is_not_geometry(const SceneSource& source, const fs::path& obj, Warnings& warnings) {
+  if (source.document)
+    warnings.push_back(fmt::format("{} holds no lights, cameras and settings; name it under \"meshes\" in a copy of {}",
+                                   obj.filename().string(), fs::path(source.argument).filename().string()));
 }
 
 void require_room_to_simplify(const RenderJob& job, const SceneSource& source) {

@@ -21,8 +21,12 @@ struct SimplifyOutput {
 /// was read from, under whatever name; Error(output) for what cannot be written or is being written by another run.
 SimplifyOutput prepare_simplify_output(const std::filesystem::path& obj, const SceneSource& source, const Scene& scene);
 
-/// The size of the files that the scene was read from; nothing for a scene that was made or came from a pipe.
+/// The size of the meshes and materials that the scene was read from; nothing for a scene that was made or came from a
+/// pipe.
 std::optional<uint64_t> bytes_of_files(const Scene& scene);
+
+/// A scene JSON's lights, cameras and settings are not part of an OBJ.
+void warn_of_what_is_not_geometry(const SceneSource& source, const std::filesystem::path& obj, Warnings& warnings);
 
 /// Throws Error(input) unless the memory limit leaves room for simplifying the job's scene and for the scenes before
 /// and after, by an estimate.

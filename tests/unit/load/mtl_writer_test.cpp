@@ -75,9 +75,10 @@ TEST(ObjWriter, TexturesReadBackTheSameInAnotherFolder) {
   const TemporaryFolder folder;
   folder.write("leaf.png", "x");
   folder.write("a.mtl", "newmtl leaf\nmap_Kd leaf.png\nnewmtl plain\nKd 1 0 0\n");
-  const auto path = folder.write("a.obj",
-                                 "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0.125\nvt 0 1\nvt 7 7\n"
-                                 "usemtl leaf\nf 1/1 2/2 3/3\nf 2/2 4/4 3/1\nusemtl plain\nf 1 2 4\n");
+  const auto path =
+      folder.write("a.obj",
+                   "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0.125\nvt 0 1\nvt 7 7\n"
+                   "usemtl leaf\nf 1/1 2/2 3/3\nf 2/2 4/4 3/1\nusemtl plain\nf 1 2 4\n");
   Warnings warnings;
   const Scene scene = load(path, warnings);
   write_obj(scene, folder.path / "else" / "b.obj");
@@ -93,7 +94,8 @@ TEST(ObjWriter, TexturesReadBackTheSameInAnotherFolder) {
 }
 
 TEST(ObjWriter, ColoursStandBesideTheVertices) {
-  Scene scene = load_text("v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 0 0 1\nv 1 1 0 0.25 0.25 1\nf 1 2 3\nf 2 4 3\n").scene;
+  Scene scene =
+      load_text("v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 0 0 1\nv 1 1 0 0.25 0.25 1\nf 1 2 3\nf 2 4 3\n").scene;
   ASSERT_TRUE(scene.has_colors());
   // Another colour at the same vertex: only two vertices of the file can hold it.
   scene.colors.push_back(vec3(0, 1, 1));
