@@ -13,16 +13,16 @@
 
 namespace hybridrt {
 
-/// Finds which triangles frames see: directly, in mirrors and through glass, and by their shadows. The scene must outlive
-/// it.
+/// Finds which triangles frames see: directly, in mirrors and through glass, and by their shadows. The scene must
+/// outlive it.
 class SeenTriangles {
  public:
   /// `depth`: generations of reflected and refracted rays.
   SeenTriangles(const Scene& scene, int depth, ThreadPool& pool);
 
-  /// One sample a pixel, at view.sample_px: the triangle that the exact rasteriser finds there, those that its rays meet
-  /// while they carry light that could change a pixel, and of each of these points the first one between it and each
-  /// light.
+  /// One sample a pixel, at view.sample_px: the triangle that the exact rasteriser finds there, those that its rays
+  /// meet while they carry light that could change a pixel, and of each of these points the first one between it and
+  /// each light.
   void look(const Sight& sight);
 
   /// 1 for each triangle that was seen, or shares a vertex (welded) with one that was: what samples have missed lies

@@ -9,7 +9,17 @@
 namespace hybridrt {
 namespace {
 
-enum Part : uint32_t { in_front, behind_it, behind_the_eye, over_the_floor, beyond_the_floor, floor_1, floor_2, mirror_1, mirror_2 };
+enum Part : uint32_t {
+  in_front,
+  behind_it,
+  behind_the_eye,
+  over_the_floor,
+  beyond_the_floor,
+  floor_1,
+  floor_2,
+  mirror_1,
+  mirror_2
+};
 
 /// The eye at (0, 1, 5) looks along -z at a mirror at z = -8.
 Scene room() {
@@ -74,8 +84,7 @@ TEST(SeenTriangles, NeighboursAreKeptAndGlassIsKeptWhole) {
     EXPECT_GT(count, ball.triangle_count() / 3);
     EXPECT_LT(count, ball.triangle_count() * 2 / 3);
     for (uint32_t t = 0; t < ball.triangle_count(); ++t)
-      for (int k = 0; k < 3; ++k)
-        EXPECT_TRUE(found[t] || ball.vertex(t, k).z <= 0.5f) << "the near side";
+      for (int k = 0; k < 3; ++k) EXPECT_TRUE(found[t] || ball.vertex(t, k).z <= 0.5f) << "the near side";
   }
 }
 
