@@ -30,10 +30,10 @@ void require_inside(const PixelRect& crop, const RenderSettings& s) {
 }  // namespace
 
 void add_render_options(CLI::App& app, RenderOptions& o) {
-  app.add_option(
-         "scene", o.scene,
-         "OBJ, PLY, OFF or STL file, - for standard input, scene .json, or scene:NAME[,triangles=N,reflective=P] (" +
-             procedural_names() + ")")
+  app.add_option("scene", o.scene,
+                 "OBJ, PLY, OFF, STL or OM file, - for standard input, scene .json, or "
+                 "scene:NAME[,triangles=N,reflective=P] (" +
+                     procedural_names() + ")")
       ->required()
       ->type_name("SCENE");
   for (const RenderOption& option : render_option_table()) {

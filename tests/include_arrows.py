@@ -45,7 +45,7 @@ FENCES = {
     "OpenImageIO/": ["core/image_io/", "tests/image_io/"],
     "EGL/": ["core/gl/"],
     "GL/": ["core/gl/"],
-    "OpenMesh/": ["core/simplify/"],
+    "OpenMesh/": ["core/simplify/", "core/load/"],
     "CLI/": ["cli/"],
     "embree": ["core/trace/", "cli/version.cpp", "tests/bench/"],
     "hwy/": ["core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],
@@ -53,7 +53,7 @@ FENCES = {
 # The same fences for the linker: CMake target, and the CMakeLists.txt that may name it.
 LINK_FENCES = {
     "OPENIMAGEIO": ["core/image_io/", "tests/"],
-    "OpenMesh": ["core/simplify/"],
+    "OpenMesh": ["core/simplify/", "core/load/"],
     "CLI11": ["cli/"],
     "embree": ["core/trace/", "cli/", "tests/", ""],
     "hwy::hwy": ["core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],

@@ -15,7 +15,6 @@ Corner KeepCorners::corner_at(Mesh::FaceHandle face, Mesh::VertexHandle vertex) 
 
 float KeepCorners::collapse_priority(const CollapseInfo& collapse) {
   if (!collapse.fl.is_valid() || !collapse.fr.is_valid()) return ILLEGAL_COLLAPSE;
-  if (mesh().valence(collapse.v0) == 3 && mesh().valence(collapse.v1) == 3) return ILLEGAL_COLLAPSE;  // a tetrahedron
   return shade_alike(*scene_, corner_at(collapse.fl, collapse.v1), corner_at(collapse.fr, collapse.v1))
              ? LEGAL_COLLAPSE
              : ILLEGAL_COLLAPSE;

@@ -11,8 +11,7 @@
 namespace hybridrt::decimation {
 
 /// Keeps what triangles have at their corners. A collapse of v0 into v1 moves corners at v0 to v1: it is legal where
-/// the two triangles that vanish shade alike at v1, and the moved corners become theirs. It is also illegal where what
-/// remains would be two triangles back to back, which OpenMesh allows.
+/// the two triangles that vanish shade alike at v1, and the moved corners become theirs.
 class KeepCorners final : public Module {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<KeepCorners>;

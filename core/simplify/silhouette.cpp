@@ -8,13 +8,12 @@
 namespace hybridrt {
 namespace {
 
-/// For each pixel the steps to the nearest one where `mask` is `value`: two passes of a chamfer, exact for steps of
-/// this kind (Rosenfeld and Pfaltz, Distance Functions on Digital Pictures, 1968). Nothing beyond the picture is
-/// covered.
-std::vector<int> steps_to(std::span<const uint8_t> mask, uint8_t value, int width, int height) {
+/// For each pixel the steps to the nearest one where `mask` is 1: two passes of a chamfer, exact for steps of
+/// this kind (Rosenfeld and Pfaltz, Distance Functions on Digital Pictures, 1968).
+std::vector<int> steps_to(std::span<const uint8_t> mask, int width, int height) {
   const int farthest = std::max(width, height);
   std::vector<int> steps(mask.size());
-  for (size_t i = 0; i < mask.size(); ++i) steps[i] = mask[i] == value ? 0 : farthest;
+  for (size_t i = 0; i < mask.size(); ++i) steps[i] = mask[i] ? 0 : farthest;
   const auto sweep = [&](int direction) {
     const int first_y = direction > 0 ? 0 : height - 1, first_x = direction > 0 ? 0 : width - 1;
     for (int y = first_y; y >= 0 && y < height; y += direction)
@@ -24,8 +23,6 @@ std::vector<int> steps_to(std::span<const uint8_t> mask, uint8_t value, int widt
           const int nx = x + dx, ny = y + dy;
           if (nx >= 0 && nx < width && ny >= 0 && ny < height)
             here = std::min(here, steps[static_cast<size_t>(ny * width + nx)] + 1);
-          else if (value == 0)
-            here = std::min(here, 1);
         };
         look(-direction, 0);
         for (int dx = -1; dx <= 1; ++dx) look(dx, -direction);
@@ -36,12 +33,12 @@ std::vector<int> steps_to(std::span<const uint8_t> mask, uint8_t value, int widt
   return steps;
 }
 
-/// Over the pixels that only `a` covers.
+/// Of the pixels of `a` from those of `b`.
 int farthest(std::span<const uint8_t> a, std::span<const uint8_t> b, int width, int height) {
-  const std::vector<int> to_other = steps_to(b, 1, width, height), to_outside = steps_to(a, 0, width, height);
+  const std::vector<int> to_other = steps_to(b, width, height);
   int most = 0;
   for (size_t i = 0; i < a.size(); ++i)
-    if (a[i] && !b[i]) most = std::max({most, to_other[i], to_outside[i]});
+    if (a[i]) most = std::max(most, to_other[i]);
   return most;
 }
 

@@ -31,6 +31,7 @@ Simplified simplify(const Scene& scene, const Topology& topology, std::span<cons
     HRT_CHECK(result.rounds < kMostRounds);
     ++result.rounds;
     result.scene = decimate(scene, topology, working, pool, stop);
+    if (stop && stop()) return result;
     result.distance = measure_distance(scene, bounds, result.scene, pool);
     const float factor = result.rounds <= kHalvingRounds ? 0.5f : 0;
     for (size_t t = 0; t < working.size(); ++t)

@@ -116,7 +116,9 @@ TEST(OutlineDistance, KnownOnPaper) {
   EXPECT_EQ(outline_distance(mask_of("###...."), mask_of("#......"), 7), 2);
   std::vector<uint8_t> full(49, 1), pierced = full;
   pierced[24] = 0;
-  EXPECT_EQ(outline_distance(full, pierced, 7), 4) << "a hole far from any edge";
+  EXPECT_EQ(outline_distance(full, pierced, 7), 1);
+  for (int i : {16, 17, 18, 23, 25, 30, 31, 32}) pierced[static_cast<size_t>(i)] = 0;
+  EXPECT_EQ(outline_distance(full, pierced, 7), 2) << "the middle of a wider hole";
   EXPECT_EQ(outline_distance(mask_of("#......"), mask_of("#.....#"), 7), 6);
   EXPECT_EQ(outline_distance(mask_of("......."), mask_of("#......"), 7), 7) << "one has no outline";
 }
