@@ -21,8 +21,12 @@ enum Type : unsigned { position = 0, normal = 1, texcoord = 2, status = 3, color
 /// A chunk's 16 bits.
 struct ChunkHead {
   explicit ChunkHead(unsigned bits)
-      : named(bits >> 1 & 1), entity(bits >> 2 & 7), type(bits >> 5 & 15), is_float(bits >> 10 & 1),
-        dimensions((bits >> 11 & 7) + 1), size_code(bits >> 14 & 3) {}
+      : named(bits >> 1 & 1),
+        entity(bits >> 2 & 7),
+        type(bits >> 5 & 15),
+        is_float(bits >> 10 & 1),
+        dimensions((bits >> 11 & 7) + 1),
+        size_code(bits >> 14 & 3) {}
 
   bool named;
   unsigned entity, type;

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "core/base/error.h"
-
 #include "core/load/mesh_builder.h"
 #include "core/load/om_chunks.h"
 
@@ -29,9 +28,9 @@ class Collector final : public IO::BaseImporter {
     uint32_t next = kNoIndex, to = kNoIndex;
   };
   std::vector<dvec3> positions, normals, colors, face_colors;
-  std::vector<std::vector<uint32_t>> faces;     ///< by vertices
-  std::vector<Halfedge> halfedges;              ///< or by half-edges,
-  std::vector<uint32_t> halfedge_of_face;       ///< one of each face
+  std::vector<std::vector<uint32_t>> faces;  ///< by vertices
+  std::vector<Halfedge> halfedges;           ///< or by half-edges,
+  std::vector<uint32_t> halfedge_of_face;    ///< one of each face
 
   VertexHandle add_vertex(const Vec3f& p) override { return add_vertex(Vec3d(p)); }
   VertexHandle add_vertex(const Vec3d& p) override {

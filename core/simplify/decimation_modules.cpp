@@ -13,15 +13,10 @@ Corner KeepCorners::corner_at(Mesh::FaceHandle face, Mesh::VertexHandle vertex) 
   return triangle.corners[corner_index_at(*fans_, triangle, static_cast<uint32_t>(vertex.idx()))];
 }
 
-float KeepCorners::collapse_priority(const CollapseInfo& collapse) {
-  if (!collapse.fl.is_valid() || !collapse.fr.is_valid()) return ILLEGAL_COLLAPSE;
-  return shade_alike(*scene_, corner_at(collapse.fl, collapse.v1), corner_at(collapse.fr, collapse.v1))
-             ? LEGAL_COLLAPSE
-             : ILLEGAL_COLLAPSE;
-}
-
 void KeepCorners::preprocess_collapse(const CollapseInfo& collapse) {
+  HRT_CHECK(collapse.fl.is_valid() && collapse.fr.is_valid());
   const Corner target = corner_at(collapse.fl, collapse.v1);
+  HRT_CHECK(shade_alike(*scene_, target, corner_at(collapse.fr, collapse.v1)));
   for (const auto face : mesh().vf_range(collapse.v0)) {
     if (face == collapse.fl || face == collapse.fr) continue;
     CornerTriangle& triangle = (*triangle_of_face_)[static_cast<size_t>(face.idx())];

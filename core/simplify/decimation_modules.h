@@ -10,8 +10,9 @@
 
 namespace hybridrt::decimation {
 
-/// Keeps what triangles have at their corners. A collapse of v0 into v1 moves corners at v0 to v1: it is legal where
-/// the two triangles that vanish shade alike at v1, and the moved corners become theirs.
+/// Keeps what triangles have at their corners: a collapse of v0 into v1 moves corners at v0 to v1, and they become
+/// those of the triangles that vanish. Forbids nothing: only kept vertices have edges across which shading changes, at
+/// the beginning and after every collapse, so that both of these triangles shade alike at v1.
 class KeepCorners final : public Module {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<KeepCorners>;
@@ -20,7 +21,6 @@ class KeepCorners final : public Module {
   void set(const Scene& scene, const Fans& fans, std::vector<CornerTriangle>& triangle_of_face) {
     scene_ = &scene, fans_ = &fans, triangle_of_face_ = &triangle_of_face;
   }
-  float collapse_priority(const CollapseInfo& collapse) override;
   void preprocess_collapse(const CollapseInfo& collapse) override;
 
  private:

@@ -1,8 +1,7 @@
 // OpenMesh's format: what its files hold, and files that lie.
 
-#include "core/load/om_io.h"
-
 #include "core/load/om_chunks.h"
+#include "core/load/om_io.h"
 #include "tests/support/obj_test.h"
 
 namespace hybridrt {
@@ -27,8 +26,9 @@ const string kColors = packed<uint16_t>({0x1080}) + packed<uint8_t>({255, 0, 0, 
 const string kEnd = packed<uint16_t>({0x001c});
 
 /// Two triangles, (0, 1, 2) and (2, 1, 3), as OpenMesh 9 writes them: next, to and face of ten half-edges.
-const string kHalfedges = packed<uint16_t>({0x16f8}) + packed<int8_t>({2, 1, 0, 5, 0, -1, 4, 2, 0, 6, 1, 1, 0, 0, 0,
-                                                                      9, 2, -1, 8, 3, 1, 1, 1, -1, 3, 2, 1, 7, 3, -1});
+const string kHalfedges =
+    packed<uint16_t>({0x16f8}) +
+    packed<int8_t>({2, 1, 0, 5, 0, -1, 4, 2, 0, 6, 1, 1, 0, 0, 0, 9, 2, -1, 8, 3, 1, 1, 1, -1, 3, 2, 1, 7, 3, -1});
 const string kFaces = packed<uint16_t>({0x06e8}) + packed<int8_t>({4, 8});
 const string kWhole = header('T', 0x42, 4, 2, 5) + kPositions + kHalfedges + kFaces + kEnd;
 
@@ -81,7 +81,8 @@ TEST(Om, FacesAsLists) {
 }
 
 TEST(Om, NormalsAndColours) {
-  const auto [mesh, warnings] = read(header('T', 0x42, 4, 2, 5) + kPositions + kNormals + kColors + kHalfedges + kFaces);
+  const auto [mesh, warnings] =
+      read(header('T', 0x42, 4, 2, 5) + kPositions + kNormals + kColors + kHalfedges + kFaces);
   EXPECT_EQ(warnings, Warnings());
   ASSERT_EQ(mesh.normals.size(), 4u);
   EXPECT_EQ(mesh.normals[0], vec3(0, 0, 1));
@@ -121,8 +122,8 @@ TEST(Om, WhatIsRefused) {
   EXPECT_TRUE(contains(refusal(header('T', 0x42, 4, 2, 5) + kPositions + kEnd), "no faces"));
   EXPECT_TRUE(contains(refusal(header('T', 0x42, 0, 2, 5) + kHalfedges + kFaces + kEnd), "no positions"));
   EXPECT_TRUE(contains(refusal(header('T', 0x42, 4, 2, 5) + kPositions + kPositions), "twice"));
-  for (const auto& counts : {header('T', 0x42, 0xFFFFFFFF, 2, 5), header('T', 0x42, 4, 0xFFFFFFFF, 5),
-                             header('T', 0x42, 4, 2, 0xFFFFFFFF)})
+  for (const auto& counts :
+       {header('T', 0x42, 0xFFFFFFFF, 2, 5), header('T', 0x42, 4, 0xFFFFFFFF, 5), header('T', 0x42, 4, 2, 0xFFFFFFFF)})
     EXPECT_TRUE(contains(refusal(counts + kPositions + kHalfedges + kFaces), "cut short"));
   const string outside = packed<uint16_t>({0x00e8}) + packed<uint8_t>({0, 1, 4});
   EXPECT_NE(refusal(header('T', 0x20, 4, 1, 0) + kPositions + outside), "");

@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+#include "core/mesh/weld.h"
+#include "core/simplify/kept_vertices.h"
 #include "tests/support/closed_mesh.h"
 #include "tests/support/mesh_test.h"
 #include "tests/support/simplify_scenes.h"
@@ -216,6 +218,27 @@ TEST(Simplify, BodiesThatTouchInAPointStayTwo) {
   const Simplified lean = simplified(scene, even_bounds(scene, 0.02f));
   EXPECT_LT(lean.scene.triangle_count() * 3, scene.triangle_count());
   EXPECT_EQ(topology_of(lean.scene).components.size(), 2u);
+}
+
+TEST(Fans, PointsWhereSeveralMeetAreKeptWithTheirNeighbours) {
+  Scene scene = sphere_scene(24, 48), other = scene;
+  const auto base = static_cast<uint32_t>(scene.positions.size());
+  for (const vec3& p : other.positions) scene.positions.push_back(p + vec3(0, 2, 0));
+  for (const uvec3& t : other.triangle_positions) scene.triangle_positions.push_back(t + base);
+  scene.triangle_materials.resize(scene.triangle_count(), 0);
+  scene = with_normals(scene);
+  ThreadPool pool(2);
+  const std::vector<uint32_t> welded = weld_positions(scene.positions, pool);
+  const Fans fans = find_fans(scene, build_topology(scene, pool), welded, even_bounds(scene, 1));
+  EXPECT_EQ(fans.vertex_of_fan.size(), scene.positions.size()) << "the point has a fan in each body";
+  size_t kept = 0;
+  for (size_t fan = 0; fan < fans.kept.size(); ++fan) {
+    const vec3 p = scene.positions[fans.vertex_of_fan[fan]];
+    const bool near = p.y > std::cos(1.01f * float(kPi) / 24) && p.y < 2 - std::cos(1.01f * float(kPi) / 24);
+    EXPECT_EQ(fans.kept[fan] != 0, near) << p.y;
+    kept += fans.kept[fan];
+  }
+  EXPECT_EQ(kept, 2u + 2 * 48);
 }
 
 TEST(Simplify, SmallClosedBodiesStayBodies) {
