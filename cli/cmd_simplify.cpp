@@ -24,6 +24,8 @@ struct SimplifyOptions {
   RenderOptions render;
   std::string max_error, output;
   bool drop_unseen = false, json = false, quiet = false;
+
+  bool talks() const { return !json && !quiet; }
 };
 
 constexpr double kMostError_px = 1000;
@@ -59,59 +61,92 @@ RenderJob job_with(const RenderJob& job, Scene scene, ThreadPool& pool, Warnings
   return other;
 }
 
+/// The options with the scene that they name, ready to work on.
+struct LoadedJob {
+  SceneSource source;
+  RenderOptions render;  ///< with the scene's settings
+  std::unique_ptr<ThreadPool> pool;
+  RenderJob job;
+};
+
+void tell(Warnings& warnings) {
+  for (const std::string& warning : warnings) complain("warning: " + warning);
+  warnings.clear();
+}
+
+LoadedJob load(const SimplifyOptions& options) {
+  LoadedJob loaded;
+  loaded.source = scene_source_of(options.render);
+  loaded.render = with_scene_settings(options.render, loaded.source);
+  refuse_what_is_not_the_scene(loaded.render);
+  const int threads = thread_count(loaded.render);
+  gl::limit_software_threads(threads);
+  loaded.pool = std::make_unique<ThreadPool>(threads);
+  Warnings warnings;
+  loaded.job = load_showing_progress(loaded.render, loaded.source, *loaded.pool, warnings, !options.talks());
+  tell(warnings);
+  require_room_to_simplify(loaded.job, loaded.source);
+  return loaded;
+}
+
+/// The job with what is left of its scene; fills in the report. Nothing if a signal asked to stop.
+std::optional<RenderJob> lean_job(const RenderJob& job, const SimplifyOptions& options, ThreadPool& pool,
+                                  SimplifyReport& report) {
+  const std::vector<float> bounds = bounds_on_path(job, report.max_error_px, pool);
+  if (stop_requested()) return std::nullopt;
+  Simplified lean = simplify(job.scene, job.topology, bounds, pool, stop_requested);
+  if (stop_requested()) return std::nullopt;
+  const auto [least, largest] = std::minmax_element(bounds.begin(), bounds.end());
+  report.least_bound = *least, report.largest_bound = *largest;
+  report.triangles_before = job.scene.triangle_count();
+  report.triangles_after = lean.scene.triangle_count();
+  report.distance = std::move(lean.distance);
+  report.rounds = lean.rounds;
+
+  Warnings warnings;
+  RenderJob after = job_with(job, std::move(lean.scene), pool, warnings);
+  if (options.drop_unseen) {
+    if (options.talks()) say("hybridrt: looking for what no frame sees\n");
+    after = job_with(job, without_unseen(after, pool), pool, warnings);
+    if (stop_requested()) return std::nullopt;
+    report.triangles_unseen = report.triangles_after - after.scene.triangle_count();
+    report.triangles_after = after.scene.triangle_count();
+  }
+  tell(warnings);
+  return after;
+}
+
+void write(const LoadedJob& loaded, const Scene& scene, const SimplifyOutput& output, SimplifyReport& report) {
+  Warnings warnings;
+  const UpAxis up = loaded.render.up_axis.value_or(loaded.source.up_axis.value_or(UpAxis::y));
+  const WrittenObj written = write_obj(scene, output.obj, up);
+  warn_of_lost_materials(scene.materials, written.mtl, warnings);
+  warn_of_what_is_not_geometry(loaded.source, output.obj, warnings);
+  report.output = output.obj.string(), report.materials = written.mtl.string();
+  report.bytes_after = written.obj_bytes + written.mtl_bytes;
+  tell(warnings);
+}
+
 ExitCode simplify_scene(const SimplifyOptions& options) {
   catch_signals();
   SimplifyReport report;
   report.max_error_px = parse_max_error(options.max_error);
-  const SceneSource source = scene_source_of(options.render);
-  const RenderOptions render = with_scene_settings(options.render, source);
-  refuse_what_is_not_the_scene(render);
-  const int threads = thread_count(render);
-  gl::limit_software_threads(threads);
-  ThreadPool pool(threads);
-  Warnings warnings;
-  const auto tell = [&] {
-    for (const std::string& warning : warnings) complain("warning: " + warning);
-    warnings.clear();
-  };
-  RenderJob job = load_showing_progress(render, source, pool, warnings, options.quiet || options.json);
-  tell();
-  require_room_to_simplify(job, source);
-  const SimplifyOutput output = prepare_simplify_output(options.output, source, job.scene);
-
-  const std::vector<float> bounds = bounds_on_path(job, report.max_error_px, pool);
-  if (stop_requested()) return interrupted_or(ExitCode::ok);
-  Simplified lean = simplify(job.scene, job.topology, bounds, pool, stop_requested);
-  if (stop_requested()) return interrupted_or(ExitCode::ok);
-
-  report.scene = source.argument;
-  report.triangles_before = job.scene.triangle_count();
-  report.triangles_after = lean.scene.triangle_count();
+  LoadedJob loaded = load(options);
+  RenderJob& job = loaded.job;
+  report.scene = loaded.source.argument;
   report.bytes_before = bytes_of_files(job.scene);
-  const auto [least, largest] = std::minmax_element(bounds.begin(), bounds.end());
-  report.least_bound = *least, report.largest_bound = *largest;
-  report.distance = std::move(lean.distance);
-  report.rounds = lean.rounds;
+  const SimplifyOutput output = prepare_simplify_output(options.output, loaded.source, job.scene);
 
-  RenderJob after = job_with(job, std::move(lean.scene), pool, warnings);
-  if (options.drop_unseen) {
-    after = job_with(job, without_unseen(after, pool), pool, warnings);
-    if (stop_requested()) return interrupted_or(ExitCode::ok);
-    report.triangles_unseen = report.triangles_after - after.scene.triangle_count();
-    report.triangles_after = after.scene.triangle_count();
-  }
-  const UpAxis up = render.up_axis.value_or(source.up_axis.value_or(UpAxis::y));
-  const WrittenObj written = write_obj(after.scene, output.obj, up);
-  warn_of_lost_materials(after.scene.materials, written.mtl, warnings);
-  warn_of_what_is_not_geometry(source, output.obj, warnings);
-  report.output = output.obj.string(), report.materials = written.mtl.string();
-  report.bytes_after = written.obj_bytes + written.mtl_bytes;
-  report.frames = compare_frames(job, after, pool);
-  tell();
+  if (options.talks()) say(fmt::format("hybridrt: simplifying {} triangles\n", job.scene.triangle_count()));
+  std::optional<RenderJob> after = lean_job(job, options, *loaded.pool, report);
+  if (!after) return interrupted_or(ExitCode::ok);
+  write(loaded, after->scene, output, report);
+  if (options.talks()) say(fmt::format("hybridrt: rendering {} frames before and after\n", job.frames.count()));
+  report.frames = compare_frames(job, *after, *loaded.pool);
+
+  using Handler = nlohmann::ordered_json::error_handler_t;  // file names need not be UTF-8
   fmt::print("{}",
-             options.json
-                 ? report_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                 : report_text(report));
+             options.json ? report_json(report).dump(2, ' ', false, Handler::replace) + "\n" : report_text(report));
   return interrupted_or(ExitCode::ok);
 }
 
@@ -138,7 +173,7 @@ void add_simplify_command(CLI::App& app, Command& chosen) {
                  "or more")
       ->group(group);
   command->add_flag("--json", options->json, "Print one JSON object instead of the text")->group(group);
-  command->add_flag("-q,--quiet", options->quiet, "No progress while loading")->group(group);
+  command->add_flag("-q,--quiet", options->quiet, "Only errors and warnings")->group(group);
   command->footer(
       "Examples:\n"
       "  hybridrt simplify scan.ply --max-error 0.5px --frames 100 --size 1280x720 -o lean.obj\n"

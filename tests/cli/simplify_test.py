@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import signal
 import unittest
 
 from cli_test_case import CliTestCase, Png
@@ -115,7 +116,7 @@ class Simplify(CliTestCase):
         self.assertGreater(seen["triangles_unseen"], seen["triangles_after"] / 2)
         self.assertIsNone(seen["bytes_before"])
         self.assertAlmostEqual(seen["frames"][0]["psnr_db"], all_of_it["frames"][0]["psnr_db"], delta=0.5)
-        self.fail_with(3, "simplify", spheres, "--max-error", "1px", "--drop-unseen", "-o", "none.obj", "--eye", "0,0,90",
+        self.fail_with(3, "simplify", spheres, "--max-error", "1px", "--drop-unseen", "-q", "-o", "none.obj", "--eye", "0,0,90",
                        "--target", "0,0,200", says=("no frame sees", "--drop-unseen"))
         self.assertNotIn("none.obj", self.files())
 
@@ -160,6 +161,16 @@ class Simplify(CliTestCase):
             self.succeed("render", name + ".json", "-q", "-o", name + ".png")
         self.assertAlmostEqual(self.psnr("lean.png", "scene.png"), json.loads(done.stdout)["frames"][0]["psnr_db"],
                                delta=0.1)
+
+    def test_stopped(self):
+        running = self.start("simplify", "scene:spheres,triangles=300000", "--max-error", "0.1px", "-o", "lean.obj")
+        for line in running.stderr:
+            if "simplifying" in line:
+                break
+        running.send_signal(signal.SIGINT)
+        running.communicate(timeout=100)
+        self.assertEqual(running.returncode, 130)
+        self.assertEqual(self.files(), [])
 
     def test_little_memory(self):
         self.write("t.obj", terrain(200))
