@@ -1,13 +1,17 @@
-"""hybridrt simplify: what it reports is what its files show, and no input is replaced."""
+"""hybridrt simplify: what it reports is what its files show, and no input is replaced.
+
+Called with the folder of the shared scenes as the second argument; without the scan there its test is skipped."""
 
 import json
 import math
 import os
 import signal
+import sys
 import unittest
 
 from cli_test_case import CliTestCase, Png
 
+SCAN = os.path.join(os.path.abspath(sys.argv.pop(1)), "armadillo", "armadillo.obj")
 SMALL = ("--size", "160x120", "--threads", "2")
 STILL = ("--eye", "0.5,1.2,2.6", "--target", "0.5,0,0.5", "--fov", "45", "--light", "1,2,1")
 
@@ -71,6 +75,18 @@ class Simplify(CliTestCase):
             triangles.append(report["triangles_after"])
         self.assertEqual(triangles, sorted(triangles, reverse=True))
         self.assertLess(triangles[2] * 2, triangles[0])
+
+    @unittest.skipUnless(os.path.isfile(SCAN), "needs the shared scenes")
+    def test_a_scan_of_346_thousand_triangles(self):
+        report = self.simplify(scene=SCAN, size=("--size", "1024x768"))
+        self.assertEqual(report["triangles_before"], 345944)
+        self.assertLess(report["triangles_after"] * 4, report["triangles_before"])
+        self.assertLessEqual(report["hausdorff_px"], 1)
+        self.assertLessEqual(report["hausdorff_from_original"], report["largest_bound"])
+        self.assertLessEqual(report["hausdorff_from_simplified"], report["largest_bound"])
+        self.assertLessEqual(report["frames"][0]["outline_px"], 1)
+        inspected = json.loads(self.succeed("inspect", "lean.obj", "--json").stdout)
+        self.assertEqual((inspected["components"]["count"], inspected["components"]["closed"]), (1, 1))
 
     def test_the_nearest_frame_counts(self):
         self.write("t.obj", terrain(60))
