@@ -24,6 +24,7 @@ void add_inspect_command(CLI::App& app, Command& chosen);
 void add_render_command(CLI::App& app, const std::vector<std::string>& command_line, Command& chosen);
 void add_report_command(CLI::App& app, Command& chosen);
 void add_scene_command(CLI::App& app, Command& chosen);
+void add_simplify_command(CLI::App& app, Command& chosen);
 /// `command_line`: all of it, for sweep.json.
 void add_sweep_command(CLI::App& app, const std::vector<std::string>& command_line, Command& chosen);
 void add_tune_command(CLI::App& app, Command& chosen);

@@ -68,6 +68,7 @@ void add_commands(CLI::App& app, const std::vector<std::string>& command_line, A
   add_sweep_command(app, command_line, asked.command);
   add_report_command(app, asked.command);
   add_tune_command(app, asked.command);
+  add_simplify_command(app, asked.command);
   add_compare_command(app, asked.command);
   add_golden_command(app, asked.command);
   add_scene_command(app, asked.command);

@@ -31,7 +31,7 @@ void require_inside(const PixelRect& crop, const RenderSettings& s) {
 
 void add_render_options(CLI::App& app, RenderOptions& o) {
   app.add_option("scene", o.scene,
-                 "OBJ, PLY, OFF or STL file, - for standard input, scene .json, or scene:NAME[,KEY=VALUE] (" +
+                 "OBJ, PLY, OFF, STL or OM file, - for standard input, scene .json, or scene:NAME[,KEY=VALUE] (" +
                      procedural_names() + ")")
       ->required()
       ->type_name("SCENE");

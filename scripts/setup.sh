@@ -24,6 +24,7 @@ packages=(
   libopenimageio-dev     # images
   libembree-dev          # rays
   libhwy-dev             # SIMD
+  libopenmesh-dev        # decimation
   libgtest-dev           # tests
   libbenchmark-dev       # benchmarks
   clang                  # fuzzing: libFuzzer is clang's

@@ -23,6 +23,7 @@ ARROWS = {
     "core/load": ["core/procedural", "core/mesh", "core/scene", "core/image", "core/base"],
     "core/passes": ["core/scene", "core/base"],
     "core/trace": ["core/mesh", "core/scene", "core/image", "core/base"],
+    "core/simplify": ["core/raster", "core/trace", "core/mesh", "core/scene", "core/base"],
     "core/raster": ["core/trace", "core/mesh", "core/scene", "core/image", "core/base"],
     "core/passes_cpu": ["core/passes", "core/raster", "core/trace", "core/scene", "core/base"],
     "core/gl": ["core/base"],
@@ -44,7 +45,7 @@ FENCES = {
     "OpenImageIO/": ["core/image_io/", "tests/image_io/"],
     "EGL/": ["core/gl/"],
     "GL/": ["core/gl/"],
-    "OpenMesh/": ["core/load/", "core/mesh/"],
+    "OpenMesh/": ["core/simplify/", "core/load/"],
     "CLI/": ["cli/"],
     "embree": ["core/trace/", "cli/version.cpp", "tests/bench/"],
     "hwy/": ["core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],
@@ -52,7 +53,7 @@ FENCES = {
 # The same fences for the linker: CMake target, and the CMakeLists.txt that may name it.
 LINK_FENCES = {
     "OPENIMAGEIO": ["core/image_io/", "tests/"],
-    "OpenMesh": ["core/load/", "core/mesh/"],
+    "OpenMesh": ["core/simplify/", "core/load/"],
     "CLI11": ["cli/"],
     "embree": ["core/trace/", "cli/", "tests/", ""],
     "hwy::hwy": ["core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],

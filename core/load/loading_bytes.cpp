@@ -7,6 +7,7 @@
 #include "core/load/mesh_builder.h"
 #include "core/load/mesh_format.h"
 #include "core/load/off_header.h"
+#include "core/load/om_chunks.h"
 #include "core/load/ply_attributes.h"
 #include "core/load/ply_header.h"
 #include "core/load/stl_io.h"
@@ -56,6 +57,11 @@ uint64_t off_bytes(const fs::path& path, uint64_t file_bytes) {
                     std::min<uint64_t>(header.faces, file_bytes / 2));
 }
 
+uint64_t om_bytes(const fs::path& path, uint64_t file_bytes) {
+  const OmCounts counts = read_om_counts(path);
+  return 6 * file_bytes + mesh_bytes(counts.vertices, 2 * counts.faces);  // the file, what is kept of it, and its parts
+}
+
 uint64_t stl_bytes(const fs::path& path, uint64_t file_bytes) {
   const uint64_t facets = (file_bytes - std::min<uint64_t>(file_bytes, 84)) / 50;
   return is_text_stl(path) ? file_bytes * kBytesPerTextStlByte : mesh_bytes(3 * facets, facets);
@@ -72,6 +78,7 @@ uint64_t loading_bytes(const fs::path& path) {
       case MeshFormat::ply: return ply_bytes(path, file_bytes);
       case MeshFormat::off: return off_bytes(path, file_bytes);
       case MeshFormat::stl: return stl_bytes(path, file_bytes);
+      case MeshFormat::om: return om_bytes(path, file_bytes);
       case MeshFormat::obj: return file_bytes * kBytesPerObjByte;
     }
   } catch (const Error&) {  // the reader will report it, with more detail

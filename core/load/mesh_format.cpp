@@ -23,6 +23,7 @@ MeshFormat mesh_format_of(const std::filesystem::path& path) {
   if (extension == ".ply") return MeshFormat::ply;
   if (extension == ".off") return MeshFormat::off;
   if (extension == ".stl") return MeshFormat::stl;
+  if (extension == ".om") return MeshFormat::om;
   return MeshFormat::obj;
 }
 

@@ -4,10 +4,10 @@
 
 namespace hybridrt {
 
-enum class MeshFormat { obj, ply, off, stl };
+enum class MeshFormat { obj, ply, off, stl, om };
 
-/// ".obj, .ply, .off or .stl", for messages.
-inline constexpr const char* kMeshFormats = ".obj, .ply, .off or .stl";
+/// ".obj, .ply, .off, .stl or .om", for messages.
+inline constexpr const char* kMeshFormats = ".obj, .ply, .off, .stl or .om";
 
 /// Whether the extension, in whatever case, is one of these.
 bool is_mesh_file(const std::filesystem::path& path);

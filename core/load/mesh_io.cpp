@@ -11,6 +11,7 @@
 #include "core/load/mtl_io.h"
 #include "core/load/obj_parse.h"
 #include "core/load/off_io.h"
+#include "core/load/om_io.h"
 #include "core/load/ply_io.h"
 #include "core/load/stl_io.h"
 
@@ -29,6 +30,7 @@ MeshData read_mesh(const std::filesystem::path& path, ThreadPool& pool, Warnings
   if (mesh_format_of(path) == MeshFormat::obj) return parse_obj(path, pool, warnings, progress);
   MeshData mesh = mesh_format_of(path) == MeshFormat::ply   ? read_ply(path, warnings)
                   : mesh_format_of(path) == MeshFormat::off ? read_off(path, warnings)
+                  : mesh_format_of(path) == MeshFormat::om  ? read_om(path, warnings)
                                                             : read_stl(path, warnings);
   if (progress) progress->bytes_read += file_bytes(path);
   return mesh;

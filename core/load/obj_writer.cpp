@@ -1,94 +1,97 @@
 #include "core/load/obj_writer.h"
 
-#include <charconv>
+#include <unordered_map>
 
 #include "core/base/error.h"
 #include "core/base/output_file.h"
+#include "core/image/srgb.h"
+#include "core/load/mtl_writer.h"
+#include "core/load/written_line.h"
 
 namespace hybridrt {
 namespace {
 
-/// One line of text, reused.
-class Line {
+class Geometry {
  public:
-  explicit Line(OutputFile& file) : file_(file) {}
-  Line& text(std::string_view text) { return line_ += text, *this; }
-  template <typename Number>
-  Line& number(Number value) {
-    char digits[32];
-    const auto [end, status] = std::to_chars(digits, digits + sizeof digits, value);
-    line_.append(digits, end);
-    return *this;
-  }
-  Line& vector(std::string_view name, const vec3& v) {
-    text(name);
-    for (int axis = 0; axis < 3; ++axis) text(" ").number(v[axis]);
-    return *this;
-  }
-  void end() {
-    line_ += '\n';
-    file_.write(line_);
-    line_.clear();
+  Geometry(const Scene& scene, UpAxis up, OutputFile& file) : scene_(scene), up_(up), line_(file) {}
+
+  void write(std::string_view mtl_name, std::span<const std::string> material_names) {
+    line_.text("mtllib ").text(mtl_name).end();
+    if (scene_.has_colors())
+      write_colored_positions();
+    else
+      for (const vec3& p : scene_.positions) write_position(p).end();
+    if (scene_.textures)
+      for (const vec2& uv : scene_.textures->texcoords) line_.text("vt").vector(uv).end();
+    for (const vec3& n : scene_.normals) line_.text("vn").vector(files_from_y_up(up_, n)).end();
+    write_faces(material_names);
   }
 
  private:
-  OutputFile& file_;
-  std::string line_;
+  WrittenLine& write_position(const vec3& p) {
+    const dvec3 origin = scene_.origin_world;
+    line_.text("v");
+    if (origin == dvec3(0)) return line_.vector(files_from_y_up(up_, p));
+    return line_.vector(files_from_y_up(up_, dvec3(p) + origin));
+  }
+
+  /// A vertex for each pair of a position and a colour that a corner has, in the order of the corners.
+  void write_colored_positions() {
+    std::unordered_map<uint64_t, uint32_t> places;
+    for (uint32_t t = 0; t < scene_.triangle_count(); ++t) {
+      uvec3& vertices = colored_.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        const uint32_t position = scene_.triangle_positions[t][k], color = scene_.triangle_colors[t][k];
+        const auto [place, is_new] =
+            places.try_emplace(uint64_t{position} << 32 | color, static_cast<uint32_t>(places.size()));
+        vertices[k] = place->second;
+        if (!is_new) continue;
+        const vec3& c = scene_.colors[color];
+        write_position(scene_.positions[position])
+            .vector(vec3(srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)))
+            .end();
+      }
+    }
+  }
+
+  void write_faces(std::span<const std::string> material_names) {
+    const std::vector<uvec3>& vertices = colored_.empty() ? scene_.triangle_positions : colored_;
+    uint32_t material = kNoTriangle;  // none yet
+    for (uint32_t t = 0; t < scene_.triangle_count(); ++t) {
+      if (scene_.triangle_materials[t] != material) {
+        material = scene_.triangle_materials[t];
+        line_.text("usemtl ").text(material_names[material]).end();
+      }
+      const bool textured = scene_.textures && scene_.textures->triangle_maps[t] != 0;
+      line_.text("f");
+      for (int k = 0; k < 3; ++k) {
+        line_.text(" ").number(vertices[t][k] + 1).text("/");
+        if (textured) line_.number(scene_.textures->triangle_texcoords[t][k] + 1);
+        line_.text("/").number(scene_.triangle_normals[t][k] + 1);
+      }
+      line_.end();
+    }
+  }
+
+  const Scene& scene_;
+  const UpAxis up_;
+  WrittenLine line_;
+  std::vector<uvec3> colored_;  ///< by triangle, the vertices written; empty: the scene's positions
 };
-
-void write_materials(const Scene& scene, Line line) {
-  for (const Material& m : scene.materials) {
-    line.text("newmtl ").text(m.name).end();
-    line.vector("Kd", m.kd).end();
-    line.vector("Ks", m.ks).end();
-    line.vector("Ke", m.ke).end();
-    line.text("Ns ").number(m.ns).end();
-    line.text("Ni ").number(m.ni).end();
-    line.text("d ").number(m.opacity).end();
-    line.vector("Tf", m.tf).end();
-    line.text("illum ").number(m.illum).end();
-  }
-}
-
-void write_geometry(const Scene& scene, std::string_view mtl_name, Line line) {
-  line.text("mtllib ").text(mtl_name).end();
-  const dvec3 origin = scene.origin_world;
-  for (const vec3& p : scene.positions) {
-    if (origin == dvec3(0)) {
-      line.vector("v", p).end();
-      continue;
-    }
-    line.text("v");
-    for (int axis = 0; axis < 3; ++axis) line.text(" ").number(p[axis] + origin[axis]);
-    line.end();
-  }
-  for (const vec3& n : scene.normals) line.vector("vn", n).end();
-
-  uint32_t material = kNoTriangle;  // none yet
-  for (uint32_t t = 0; t < scene.triangle_count(); ++t) {
-    if (scene.triangle_materials[t] != material) {
-      material = scene.triangle_materials[t];
-      line.text("usemtl ").text(scene.materials[material].name).end();
-    }
-    line.text("f");
-    for (int k = 0; k < 3; ++k)
-      line.text(" ").number(scene.triangle_positions[t][k] + 1).text("//").number(scene.triangle_normals[t][k] + 1);
-    line.end();
-  }
-}
 
 }  // namespace
 
-WrittenObj write_obj(const Scene& scene, const std::filesystem::path& path_obj) {
+WrittenObj write_obj(const Scene& scene, const std::filesystem::path& path_obj, UpAxis up) {
   if (path_obj.extension() != ".obj")
     throw error(ErrorKind::usage, "{}: the name of an OBJ file ends in .obj", path_obj.string());
   WrittenObj written;
   written.mtl = path_obj;
   written.mtl.replace_extension(".mtl");
+  const std::vector<std::string> names = distinct_names(scene.materials);
   OutputFile mtl(written.mtl);
-  write_materials(scene, Line(mtl));
+  write_mtl(scene.materials, names, written.mtl.parent_path(), mtl);
   OutputFile obj(path_obj);
-  write_geometry(scene, written.mtl.filename().string(), Line(obj));
+  Geometry(scene, up, obj).write(written.mtl.filename().string(), names);
   written.mtl_bytes = mtl.bytes(), written.obj_bytes = obj.bytes();
   mtl.commit();
   obj.commit();

@@ -6,8 +6,11 @@
 
 namespace hybridrt {
 
-inline constexpr Named<MeshFormat> kMeshFormatNames[] = {
-    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl}};
+inline constexpr Named<MeshFormat> kMeshFormatNames[] = {{"obj", MeshFormat::obj},
+                                                         {"ply", MeshFormat::ply},
+                                                         {"off", MeshFormat::off},
+                                                         {"stl", MeshFormat::stl},
+                                                         {"om", MeshFormat::om}};
 
 /// The mesh that standard input brings. Readers need a file, so it goes into a temporary one, which is removed with the
 /// last copy of the result; names in it begin in the working directory. Throws Error(input) if nothing comes,

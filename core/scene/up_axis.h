@@ -17,4 +17,10 @@ template <typename Real>
   return up == UpAxis::y ? v : Vec3<Real>(v.x, v.z, -v.y);
 }
 
+/// The way back, as exact: to the axes of files where `up` points up.
+template <typename Real>
+[[nodiscard]] Vec3<Real> files_from_y_up(UpAxis up, const Vec3<Real>& v) {
+  return up == UpAxis::y ? v : Vec3<Real>(v.x, -v.z, v.y);
+}
+
 }  // namespace hybridrt

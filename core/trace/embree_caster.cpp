@@ -1,37 +1,17 @@
 #include "core/trace/embree_caster.h"
 
 #include <cmath>
-#include <embree3/rtcore.h>
 #include <limits>
-#include <new>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "core/base/check.h"
-#include "core/base/error.h"
+#include "core/trace/embree_handles.h"
 #include "core/trace/holes.h"
 #include "core/trace/triangle.h"
 
 namespace hybridrt {
 namespace {
-
-struct Release {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-template <typename Handle>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
-
-/// The last error on `device` (null: on this thread, when there is no device) as an exception.
-void throw_on_error(RTCDevice device, const char* doing) {
-  const RTCError code = rtcGetDeviceError(device);
-  if (code == RTC_ERROR_NONE) return;
-  if (code == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
-  throw error(ErrorKind::device, "Embree failed while {} (error {}); use the kd-tree instead", doing,
-              static_cast<int>(code));
-}
 
 class EmbreeCaster final : public RayCaster<float> {
  public:
@@ -39,14 +19,14 @@ class EmbreeCaster final : public RayCaster<float> {
     HRT_CHECK(threads >= 1);
     if (scene.has_holes()) holes_ = scene.textures;
     device_.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
-    if (!device_) throw_on_error(nullptr, "starting");
+    if (!device_) throw_on_embree_error(nullptr, "starting");
     scene_.reset(rtcNewScene(device_.get()));
-    throw_on_error(device_.get(), "creating a scene");
+    throw_on_embree_error(device_.get(), "creating a scene");
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
     attach_triangles(scene);
     rtcCommitScene(scene_.get());
-    throw_on_error(device_.get(), "building its tree");
+    throw_on_embree_error(device_.get(), "building its tree");
   }
 
   void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const override {
@@ -137,24 +117,16 @@ class EmbreeCaster final : public RayCaster<float> {
     }
     if (kept.empty()) return;
 
-    const Owned<RTCGeometry> geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-    rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_HIGH);
-    // Embree reads 16 bytes per vertex: its own buffers are padded for that, ours are not.
-    auto* const vertices = static_cast<vec3*>(rtcSetNewGeometryBuffer(
-        geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), scene.positions.size()));
-    auto* const indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0,
-                                                                      RTC_FORMAT_UINT3, sizeof(uvec3), kept.size()));
-    throw_on_error(device_.get(), "taking the triangles");
+    const EmbreeHandle<RTCGeometry> geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    fill_embree_triangles(device_.get(), geometry.get(), scene.positions, kept);
     if (holes_) {
       rtcSetGeometryUserData(geometry.get(), this);
       rtcSetGeometryIntersectFilterFunction(geometry.get(), pass_holes);
       rtcSetGeometryOccludedFilterFunction(geometry.get(), pass_holes);
     }
-    std::copy(scene.positions.begin(), scene.positions.end(), vertices);
-    std::copy(kept.begin(), kept.end(), indices);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(scene_.get(), geometry.get());
-    throw_on_error(device_.get(), "taking the triangles");
+    throw_on_embree_error(device_.get(), "taking the triangles");
     if (kept.size() == scene.triangle_count()) triangle_of_primitive_ = {};
   }
 
@@ -188,8 +160,8 @@ class EmbreeCaster final : public RayCaster<float> {
   }
 
   const EmbreeRays going_;
-  Owned<RTCDevice> device_;
-  Owned<RTCScene> scene_;
+  EmbreeHandle<RTCDevice> device_;
+  EmbreeHandle<RTCScene> scene_;
   std::vector<uint32_t> triangle_of_primitive_;  ///< empty: the same numbers
   std::shared_ptr<const Textures> holes_;        ///< null where no triangle has any
 };
