@@ -111,7 +111,6 @@ void draw_charts_if_possible(const fs::path& folder, bool quiet) {
 }
 
 ExitCode sweep(const SweepOptions& given, const std::vector<std::string>& command_line) {
-  catch_signals();
   if (given.render.scene == "-" || given.render.input_format)
     throw error(ErrorKind::usage, "a sweep reads its scene several times, and standard input only once; name a file");
   const SweepOptions options = with_preset(given);

@@ -51,15 +51,15 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
       paths_(paths),
       job_(job),
       scene_fingerprint_(fingerprint(job.scene)),
-      layered_(!paths.to_standard_output && keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
+      layered_(paths.stream.empty() && keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
       sheet_(job.frames.count()),
       sink_(encode_image_file, threads, static_cast<size_t>(2 * threads)) {
   if (!paths.timings.empty()) timings_.emplace(paths.timings);
 }
 
-void FrameWriter::write_to_standard_output(const Image& picture, const ImageMetadata& metadata) {
+void FrameWriter::write_to_stream(const Image& picture, const ImageMetadata& metadata) {
   const std::vector<unsigned char> bytes = encode_image(picture, "png", metadata);
-  OutputFile file = OutputFile::standard_output();
+  OutputFile file = paths_.stream == "-" ? OutputFile::standard_output() : OutputFile(paths_.stream);
   file.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   file.commit();
 }
@@ -76,9 +76,9 @@ void FrameWriter::write(Frame&& frame) {
   };
   if (timings_) timings_->add(frame, static_cast<int>(layered_ ? 1 : 1 + frame.aovs.size()));
   if (!options_.contact_sheet.empty()) sheet_.add(frame.picture);
-  if (paths_.to_standard_output) {
+  if (!paths_.stream.empty()) {
     const Stopwatch writing;
-    write_to_standard_output(frame.picture, metadata);
+    write_to_stream(frame.picture, metadata);
     return written(writing.elapsed_ms());
   }
   if (layered_) {

@@ -47,7 +47,7 @@ class FrameWriter {
   std::optional<TimingsCsv> timings_;
   FileSink sink_;
 
-  void write_to_standard_output(const Image& picture, const ImageMetadata& metadata);
+  void write_to_stream(const Image& picture, const ImageMetadata& metadata);
 };
 
 }  // namespace hybridrt::cli

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/standard_streams.h"
+#include "core/base/output_file.h"
 
 namespace hybridrt::cli {
 
@@ -66,8 +66,9 @@ void Reporter::end(const RunTotals& totals, bool stopped) {
 }
 
 void Reporter::emit(const json& event) {
-  fmt::print("{}\n", event.dump(-1, ' ', false, json::error_handler_t::replace));
-  flush_output();
+  OutputFile file = OutputFile::standard_output();
+  file.write(event.dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
+  file.commit();
 }
 
 }  // namespace hybridrt::cli

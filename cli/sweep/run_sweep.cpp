@@ -132,6 +132,7 @@ class Sweep {
   }
 
   void measure_batch(std::vector<Group>& batch) {
+    const FinishingFrames finishing;
     for (int round = 1; round <= request_.rounds; ++round)
       for (Group& group : batch)
         for (const SweepSetting* setting : group.settings) {

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "cli/files_read.h"
-#include "cli/interrupt.h"
 #include "cli/standard_streams.h"
 #include "cli/sweep/visit.h"
 #include "core/base/error.h"
@@ -29,10 +28,6 @@ SweepSetting setting_of(const RenderOptions& base, const Choice& choice, const s
   if (!spec.empty()) setting.options.frames = spec;
   setting.source = source;
   return setting;
-}
-
-void stop_if_asked() {
-  if (stop_requested()) throw Stopped();
 }
 
 }  // namespace
@@ -85,9 +80,7 @@ void Trials::set_job_of(const Choice& choice, const std::vector<int>& frames) {
 
 double Trials::worst_error() {
   const std::vector<Truth>& truths = truths_.of(scene_.job, *pool_);
-  stop_if_asked();
   const std::vector<Frame> frames = render_to_compare(scene_.job, *pool_);
-  stop_if_asked();
   double worst = -INFINITY;
   for (size_t i = 0; i < frames.size(); ++i)
     worst = std::max(worst, error_of(goal_, measure_accuracy(frames[i], truths[i]), frames[i].picture.pixel_count()));
@@ -113,7 +106,6 @@ void Trials::measure(const std::vector<Choice>& choices) {
     for (const Choice& choice : choices) {
       set_job_of(choice, frames_);
       const Visit visit = hybridrt::cli::measure(scene_.job, *pool_);
-      stop_if_asked();
       for (const Frame& frame : visit.frames) find(choice).times_ms.push_back(frame.timings.wall_ms);
     }
   if (quiet_) return;

@@ -15,9 +15,6 @@ using Choice = std::map<std::string, std::string>;
 /// "--method raster --shadows map".
 std::string text_of(const Choice& choice);
 
-/// A signal asked to stop.
-struct Stopped {};
-
 struct Trial {
   Choice choice;
   double error = 0;              ///< of the worst frame, in the goal's unit
@@ -26,7 +23,7 @@ struct Trial {
   double ms() const;  ///< their median; 0 if there are none
 };
 
-/// Renders choices on some frames of a scene, and remembers them. Its functions throw Stopped.
+/// Renders choices on some frames of a scene, and remembers them.
 class Trials {
  public:
   /// `base`: the command line; `truth_samples` of the reference.

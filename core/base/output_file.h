@@ -3,9 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "core/base/temporary_names.h"
 
 namespace hybridrt {
 
@@ -14,6 +17,9 @@ namespace hybridrt {
 /// folders are created. A symbolic link is followed, not replaced. A device or pipe (/dev/null) is written directly,
 /// and so is a descriptor that the caller gave (/dev/stdout, /dev/fd/3): appended to, never replaced, even where it is
 /// a file. Without commit(), nothing is left behind (a killed process may leave the temporary).
+///
+/// A named pipe must get a reader within ten seconds. Once a signal has asked to stop (interrupt.h), one whose reader
+/// takes nothing for a second is given up.
 ///
 /// Every function throws Error (output), naming the file and the system's reason. For that the process must ignore
 /// SIGXFSZ if file sizes are limited. Several may be open for the same path, in any thread; the last one to commit
@@ -53,6 +59,7 @@ class OutputFile {
   const std::filesystem::path path_;  ///< as the caller named it
   /// Without a temporary the target is written directly; without a target a given descriptor is.
   std::filesystem::path target_, temporary_;
+  std::optional<TemporaryName> kept_name_;
   int descriptor_ = -1;
   std::string buffer_;
   uint64_t written_ = 0;

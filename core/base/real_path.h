@@ -4,8 +4,8 @@
 
 namespace hybridrt {
 
-/// The absolute path without links, "." and "..", of a file that need not exist: also at the end of a symbolic link that
-/// leads nowhere yet. `path` itself where it cannot be told.
+/// The absolute path without links, "." and "..", of a file that need not exist: also at the end of a symbolic link
+/// that leads nowhere yet. `path` itself where it cannot be told.
 std::filesystem::path real_path(const std::filesystem::path& path);
 
 }  // namespace hybridrt

@@ -17,7 +17,8 @@ std::string file_identity(const fs::path& path) {
 }
 
 void RunFiles::reads(const fs::path& path) {
-  if (std::string identity = file_identity(path); !identity.empty()) uses_.try_emplace(std::move(identity), Use{path, ""});
+  if (std::string identity = file_identity(path); !identity.empty())
+    uses_.try_emplace(std::move(identity), Use{path, ""});
 }
 
 void RunFiles::require_unused(const fs::path& path, std::string_view what) const {

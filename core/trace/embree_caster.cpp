@@ -10,6 +10,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/base/start_thread.h"
 #include "core/trace/holes.h"
 #include "core/trace/triangle.h"
 
@@ -38,6 +39,7 @@ class EmbreeCaster final : public RayCaster<float> {
   EmbreeCaster(const Scene& scene, int threads, EmbreeRays going) : going_(going) {
     HRT_CHECK(threads >= 1);
     if (scene.has_holes()) holes_ = scene.textures;
+    require_threads(threads + 1);  // its own: it aborts where they cannot be started
     device_.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
     if (!device_) throw_on_error(nullptr, "starting");
     scene_.reset(rtcNewScene(device_.get()));
