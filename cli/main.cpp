@@ -108,7 +108,7 @@ ExitCode run(int argc, char** argv) {
   try {
     return parse_and_run(app, argc, argv, asked);
   } catch (const CLI::ParseError& parse_error) {
-    return fail(ExitCode::usage, parse_message(app, parse_error));
+    return fail(ExitCode::usage, in_one_line(parse_message(app, parse_error)));
   } catch (const Error& wrong_world) {
     return fail(interrupted_or(exit_code_of(wrong_world.kind())), wrong_world.what());
   } catch (const std::bad_alloc&) {

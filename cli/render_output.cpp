@@ -160,6 +160,8 @@ OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source
   paths.pattern = parse_output_pattern(options.pattern.empty() ? usual : options.pattern, job.frames.count() > 1);
   const fs::path first = output_path(paths.pattern, job.frames.lowest());
   require_writable_format(first);
+  const PixelRect picture = picture_rect(job.settings);
+  require_writable_size(first, picture.width_px, picture.height_px);
   if (job.settings.alpha && !keeps_alpha(first.string()))
     throw error(ErrorKind::usage, "{}: this format has no alpha channel; with --alpha use .png, .exr or .tif",
                 first.string());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/base/error.h"
 #include "core/base/output_file.h"
 
 namespace hybridrt::cli {
@@ -20,7 +21,7 @@ void Reporter::warnings(const Warnings& all) {
     if (json_)
       emit({{"event", "warning"}, {"message", warning}});
     else
-      progress_.say("hybridrt: warning: " + warning);
+      progress_.say("hybridrt: warning: " + in_one_line(warning));
 }
 
 void Reporter::notes(const std::vector<std::string>& all) {
@@ -28,7 +29,7 @@ void Reporter::notes(const std::vector<std::string>& all) {
     if (json_)
       emit({{"event", "note"}, {"message", note}});
     else if (!quiet_)
-      progress_.say("hybridrt: " + note);
+      progress_.say("hybridrt: " + in_one_line(note));
 }
 
 void Reporter::start(const RenderOptions& options, const RenderJob& job, const RunFacts& facts) {

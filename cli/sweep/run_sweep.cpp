@@ -102,7 +102,7 @@ class Sweep {
 
   void tell(const Warnings& warnings) {
     for (const std::string& warning : warnings)
-      if (told_.insert(warning).second) progress_.say("hybridrt: warning: " + warning);
+      if (told_.insert(warning).second) progress_.say("hybridrt: warning: " + in_one_line(warning));
   }
 
   void fail(const SweepSetting& setting, const std::string& reason) {

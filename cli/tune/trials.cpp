@@ -57,7 +57,7 @@ Trials::Trials(const RenderOptions& base, const Goal& goal, int truth_samples, b
   set_job(scene_, setting, *pool_, warnings);
   add_files_read(setting.options, *source_, files_);
   add_files_read(scene_.job.scene, files_);
-  for (const std::string& warning : warnings) complain("warning: " + warning);
+  for (const std::string& warning : warnings) complain("warning: " + in_one_line(warning));
 }
 
 void Trials::set_frames(const std::vector<int>& frames) {

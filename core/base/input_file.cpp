@@ -40,8 +40,7 @@ void require_regular_file(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status there = fs::status(path, ignored);
   if (!fs::exists(there) || fs::is_regular_file(there)) return;
-  if (fs::is_directory(there))
-    throw error(ErrorKind::input, "{} is a directory; name the file in it", path.string());
+  if (fs::is_directory(there)) throw error(ErrorKind::input, "{} is a directory; name the file in it", path.string());
   throw error(ErrorKind::input, "{} is a pipe or a device, not a file; name a file", path.string());
 }
 
@@ -51,8 +50,10 @@ size_t read_some(int descriptor, char* to, size_t most_bytes, const std::string&
     pollfd bytes{descriptor, POLLIN, 0};
     const int ready = ::poll(&bytes, 1, static_cast<int>(longest_silence.count()));
     if (ready == 0)
-      throw error(ErrorKind::input, "{} cannot be read: it is a pipe that has brought nothing for {} s; check what "
-                  "writes to it", what, std::chrono::duration_cast<std::chrono::seconds>(longest_silence).count());
+      throw error(ErrorKind::input,
+                  "{} cannot be read: it is a pipe that has brought nothing for {} s; check what "
+                  "writes to it",
+                  what, std::chrono::duration_cast<std::chrono::seconds>(longest_silence).count());
     const ssize_t got = ready < 0 ? ready : ::read(descriptor, to, most_bytes);
     if (got >= 0) return static_cast<size_t>(got);
     if (errno != EINTR && errno != EAGAIN) throw error(ErrorKind::input, "{} cannot be read: {}", what, text_of(errno));

@@ -5,8 +5,8 @@
 namespace hybridrt {
 
 /// Keeps the name of a temporary file (or of a folder that holds one) until its end, for remove_temporary_files(). The
-/// names are the process's, not an object's: a signal handler has nothing else to find them by. Where very many are kept
-/// at once, or a name is longer than the system takes, some are not remembered.
+/// names are the process's, not an object's: a signal handler has nothing else to find them by. Where very many are
+/// kept at once, or a name is longer than the system takes, some are not remembered.
 class TemporaryName {
  public:
   enum class Kind { file, folder };
