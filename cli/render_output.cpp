@@ -172,6 +172,7 @@ OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source
   require_files_apart(options, job, paths, files);
   claim_all(options, job, paths, claims, warnings);
   add_tables(options, paths, files);
+  claims.remove_stale_temporaries();
   require_writable(first);
   require_writable(paths.report);
   if (!options.contact_sheet.empty()) require_writable(options.contact_sheet);

@@ -27,7 +27,7 @@ fs::path temporary_beside(const fs::path& target) {
   static std::atomic<unsigned> counter{0};
   // A name may fill all of the 255 bytes that file systems allow: leave room for the rest.
   const std::string name = target.filename().string().substr(0, 200);
-  return target.parent_path() / fmt::format(".{}.tmp-{}-{}", name, ::getpid(), counter++);
+  return target.parent_path() / fmt::format(".{}{}{}-{}", name, kTemporaryMark, ::getpid(), counter++);
 }
 
 constexpr std::chrono::milliseconds kTick{50};

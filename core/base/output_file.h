@@ -12,6 +12,9 @@
 
 namespace hybridrt {
 
+/// Stands in the names of temporary files between the name and the process.
+inline constexpr std::string_view kTemporaryMark = ".tmp-";
+
 /// A file that is written atomically: to a hidden temporary beside it (`.NAME.tmp-PID-N`), then fsync, then rename. A
 /// reader of the final name finds the old file, none, or the complete new one, at any moment and after a crash. Missing
 /// folders are created. A symbolic link is followed, not replaced. A device or pipe (/dev/null) is written directly,
