@@ -198,8 +198,8 @@ ExitCode check_all(const GoldenOptions& options) {
     results.push_back(check(list, golden, options, outputs));
     const GoldenResult& result = results.back();
     failed += !result.passed();
-    fmt::print("{}  {:<24} {:5.1f} s  {}\n", result.passed() ? "ok    " : "FAILED", golden.name, result.seconds,
-               result.verdict());
+    fmt::print("{}  {:<24} {:5.1f} s  {}\n", result.passed() ? "ok    " : "FAILED", in_one_line(golden.name),
+               result.seconds, in_one_line(result.verdict()));
     flush_output();
   }
   const fs::path report = fs::path(options.output) / "report.html";

@@ -20,16 +20,18 @@
 namespace hybridrt::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 void print_summary(const OutputOptions& output, const OutputPaths& paths, const RenderJob& job,
                    const RunTotals& totals) {
-  if (output.json || output.quiet || paths.timings == "-" || paths.to_standard_output) return;
-  fmt::print("{}\nimages   {}\ntimings  {}\n", summary_table(job, totals),
-             output_path(paths.pattern, job.frames.lowest()).string(), paths.timings);
+  if (output.json || output.quiet || paths.timings == "-" || paths.stream == "-") return;
+  fmt::print("{}\nimages   {}\n", summary_table(job, totals),
+             paths.stream.empty() ? output_path(paths.pattern, job.frames.lowest()).string() : paths.stream);
+  if (!paths.timings.empty()) fmt::print("timings  {}\n", paths.timings);
   if (!output.contact_sheet.empty()) fmt::print("sheet    {}\n", output.contact_sheet);
 }
 
 ExitCode render(const RenderOptions& given, const OutputOptions& output, const std::vector<std::string>& command_line) {
-  catch_signals();
   Warnings warnings;
   RunTotals totals;
   const Stopwatch loading;
@@ -61,8 +63,10 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
     return false;
   };
   Stopwatch rendering;
+  std::optional<FinishingFrames> finishing;
   const auto starting = [&](const RunFacts& so_far) {
     writer.start(so_far);
+    finishing.emplace();
     reporter.start(options, job, so_far);
     rendering.restart();
   };
@@ -73,7 +77,7 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
       reporter.warnings({*warning});
       warnings.push_back(*warning);
     }
-    reporter.frame(frame, paths.to_standard_output ? "-" : output_path(paths.pattern, frame.number));
+    reporter.frame(frame, paths.stream.empty() ? output_path(paths.pattern, frame.number) : fs::path(paths.stream));
     writer.write(std::move(frame));
   };
   const RunFacts facts = run(job, pool, starting, stop_requested, deliver);

@@ -135,7 +135,6 @@ ExitCode measure_stability(const SweepOptions& given, const std::vector<std::str
 }
 
 ExitCode sweep(const SweepOptions& given, const std::vector<std::string>& command_line) {
-  catch_signals();
   if (given.preset == name_in(kPresets, Preset::stability)) return measure_stability(given, command_line);
   if (given.render.scene.empty())
     throw error(ErrorKind::usage, "sweep: which SCENE? Only --preset stability has its own");

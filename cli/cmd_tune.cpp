@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/standard_streams.h"
 #include "cli/tune/search.h"
 #include "core/base/output_file.h"
@@ -95,7 +94,6 @@ Choice checked_choice(Trials& trials, const Goal& goal, const TuneOptions& optio
 }
 
 ExitCode tune(const TuneOptions& options) {
-  catch_signals();
   const Goal goal = parse_goal(options.max_error);
   refuse_what_is_searched(options.render);
   if (options.render.scene == "-")
@@ -139,15 +137,7 @@ void add_tune_command(CLI::App& app, Command& chosen) {
       "Examples:\n"
       "  hybridrt tune car.obj --max-error 40dB --frames 100 --size 1280x720 -o car.tuned.json\n"
       "  hybridrt render car.obj --config car.tuned.json --frames 100 --size 1280x720");
-  command->callback([options, &chosen] {
-    chosen = [options] {
-      try {
-        return tune(*options);
-      } catch (const Stopped&) {
-        return interrupted_or(ExitCode::ok);
-      }
-    };
-  });
+  command->callback([options, &chosen] { chosen = [options] { return tune(*options); }; });
 }
 
 }  // namespace hybridrt::cli

@@ -58,9 +58,8 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
     : options_(options),
       paths_(paths),
       job_(job),
-      layered_(!paths.to_standard_output && keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
-      with_record_(!paths.to_standard_output &&
-                   !keeps_metadata(output_path(paths.pattern, job.frames.lowest()).string())),
+      layered_(paths.stream.empty() && keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
+      with_record_(paths.stream.empty() && !keeps_metadata(output_path(paths.pattern, job.frames.lowest()).string())),
       sheet_(options.contact_sheet.empty() ? FrameSpec{{}} : job.frames),
       sink_(encode_image_file, threads, static_cast<size_t>(2 * threads)) {
   if (paths.timings.empty()) return;
@@ -94,9 +93,9 @@ void FrameWriter::add_kept_rows_before(int frame) {
   if (!asked_.empty()) asked_.pop_front();
 }
 
-void FrameWriter::write_to_standard_output(const Image& picture, const ImageMetadata& metadata) {
+void FrameWriter::write_to_stream(const Image& picture, const ImageMetadata& metadata) {
   const std::vector<unsigned char> bytes = encode_image(picture, "png", metadata);
-  OutputFile file = OutputFile::standard_output();
+  OutputFile file = paths_.stream == "-" ? OutputFile::standard_output() : OutputFile(paths_.stream);
   file.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   file.commit();
 }
@@ -110,9 +109,9 @@ void FrameWriter::write(Frame&& frame) {
   add_kept_rows_before(number);
   if (timings_) timings_->add(frame, static_cast<int>(layered_ ? 1 : 1 + frame.aovs.size()));
   sheet_.add(frame);
-  if (paths_.to_standard_output) {
+  if (!paths_.stream.empty()) {
     const Stopwatch writing;
-    write_to_standard_output(frame.picture, metadata);
+    write_to_stream(frame.picture, metadata);
     return written(writing.elapsed_ms());
   }
   if (layered_) {

@@ -64,7 +64,7 @@ class FrameWriter {
 
   bool is_kept(int frame) const;
   void add_kept_rows_before(int frame);
-  void write_to_standard_output(const Image& picture, const ImageMetadata& metadata);
+  void write_to_stream(const Image& picture, const ImageMetadata& metadata);
 };
 
 }  // namespace hybridrt::cli

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "cli/inspection.h"
+#include "core/base/error.h"
 #include "core/base/memory.h"
 
 namespace hybridrt::cli {
@@ -46,7 +47,7 @@ std::string loaded_text(const Inspection& in) {
   const size_t corners = 3 * scene.triangle_count(), built = scene.built_normal_corners;
   std::string out = in.scene + "\n";
   for (const std::string& file : scene.files)
-    if (file != in.scene) out += fmt::format("  {:<12}{}\n", "with", file);
+    if (file != in.scene) out += fmt::format("  {:<12}{}\n", "with", in_one_line(file));
   out += fmt::format("  {:<12}{}\n", "triangles", grouped(scene.triangle_count()));
   out += fmt::format("  {:<12}{}\n", "vertices", grouped(scene.positions.size()));
   out += fmt::format("  {:<12}{}\n", "normals",
@@ -59,7 +60,7 @@ std::string loaded_text(const Inspection& in) {
   if (scene.textures)
     out += fmt::format("  {:<12}{}{}\n", "textures", size_text(4 * scene.textures->words.size()),
                        scene.has_holes() ? ", some with holes" : "");
-  for (const std::string& note : scene.notes) out += fmt::format("  {:<12}{}\n", "note", note);
+  for (const std::string& note : scene.notes) out += fmt::format("  {:<12}{}\n", "note", in_one_line(note));
   if (scene.origin_world != dvec3(0))
     out += fmt::format("  {:<12}moved to {} to keep precision\n", "origin", point(scene.origin_world));
   return out;
@@ -67,7 +68,7 @@ std::string loaded_text(const Inspection& in) {
 
 std::string warnings_text(const Warnings& warnings) {
   std::string out = "\nrepaired or left out\n";
-  for (const std::string& warning : warnings) out += fmt::format("  - {}\n", warning);
+  for (const std::string& warning : warnings) out += fmt::format("  - {}\n", in_one_line(warning));
   return warnings.empty() ? out + "  nothing\n" : out;
 }
 

@@ -9,11 +9,13 @@
 
 #include "cli/commands.h"
 #include "cli/help_formatter.h"
+#include "cli/interrupt.h"
 #include "cli/parse_message.h"
 #include "cli/shell_files.h"
 #include "cli/standard_streams.h"
 #include "cli/version.h"
 #include "core/base/error.h"
+#include "core/base/interrupt.h"
 namespace hybridrt::cli {
 
 ExitCode exit_code_of(ErrorKind kind) {
@@ -107,9 +109,9 @@ ExitCode run(int argc, char** argv) {
   try {
     return parse_and_run(app, argc, argv, asked);
   } catch (const CLI::ParseError& parse_error) {
-    return fail(ExitCode::usage, parse_message(app, parse_error));
+    return fail(ExitCode::usage, in_one_line(parse_message(app, parse_error)));
   } catch (const Error& wrong_world) {
-    return fail(exit_code_of(wrong_world.kind()), wrong_world.what());
+    return fail(interrupted_or(exit_code_of(wrong_world.kind())), wrong_world.what());
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::usage, "out of memory; render a smaller scene or picture");
   } catch (const std::system_error& problem) {
@@ -125,6 +127,7 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hybridrt::cli::prepare_standard_streams();
+  hybridrt::catch_signals();
   std::setlocale(LC_ALL, "C");  // numbers are read and written alike everywhere
   return static_cast<int>(hybridrt::cli::run(argc, argv));
 }

@@ -5,6 +5,7 @@
 
 #include "cli/render_option_table.h"
 #include "core/base/error.h"
+#include "core/base/given_descriptor.h"
 #include "core/load/scene_file.h"
 #include "core/load/spooled_scene.h"
 
@@ -52,13 +53,14 @@ void add_render_options(CLI::App& app, RenderOptions& o) {
 }
 
 SceneSource scene_source_of(const RenderOptions& options) {
-  const bool is_standard_input = options.scene == "-";
-  if (is_standard_input && !options.input_format)
-    throw error(ErrorKind::usage, "SCENE - is standard input: say what it brings, like --input-format obj");
-  if (!is_standard_input && options.input_format)
+  const bool is_piped = options.scene == "-" || descriptor_named_by(options.scene).has_value();
+  if (is_piped && !options.input_format)
+    throw error(ErrorKind::usage, "SCENE {} is {}: say what it brings, like --input-format obj", options.scene,
+                options.scene == "-" ? "standard input" : "a pipe");
+  if (!is_piped && options.input_format)
     throw error(ErrorKind::usage, "--input-format is for SCENE - (standard input); {} says by its name what it is",
                 options.scene);
-  return is_standard_input ? read_scene_from_standard_input(*options.input_format) : parse_scene_source(options.scene);
+  return is_piped ? read_piped_scene(options.scene, *options.input_format) : parse_scene_source(options.scene);
 }
 
 void set_render_option(RenderOptions& options, const std::string& name, const std::string& value) {

@@ -38,6 +38,7 @@ void name_tables(const OutputOptions& options, const RenderJob& job, bool range,
 
 /// The pattern of the pictures that a run.json is about; nothing if it is no run.json of ours, or an old one.
 std::optional<std::string> pattern_in_report(const fs::path& report) {
+  if (!fs::is_regular_file(report)) return std::nullopt;
   std::ifstream file(report);
   const nlohmann::json read = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
   const auto pattern = nlohmann::json::json_pointer("/outputs/pattern");
@@ -107,17 +108,32 @@ void require_files_apart(const OutputOptions& options, const RenderJob& job, con
   require_pictures_unused(files, paths.pattern, job.frames, aov_files(job, paths.pattern));
 }
 
-/// `-o -`: nothing else may go there.
-OutputPaths picture_to_standard_output(const OutputOptions& options, const RenderJob& job, RunFiles& files,
-                                       FileClaims& claims) {
-  if (options.json || options.timings == "-")
+bool is_device(const std::string& name) {
+  std::error_code missing;
+  return fs::is_character_file(name, missing);
+}
+
+/// Whether pictures go to something that is no file and whose name says no format: "-", /dev/fd/3, /dev/null, a pipe.
+bool is_stream(const std::string& name) {
+  std::error_code missing;
+  if (name == "-" || descriptor_named_by(name)) return true;
+  return fs::is_other(fs::status(name, missing)) && !can_write_format(name);
+}
+
+/// Nothing else may go to standard output then.
+OutputPaths pictures_to_stream(const OutputOptions& options, const RenderJob& job, RunFiles& files,
+                               FileClaims& claims) {
+  const bool standard_output = options.pattern == "-";
+  if (standard_output && (options.json || options.timings == "-"))
     throw error(ErrorKind::usage, "-o - wants standard output for the picture; give {} too, or leave it out",
                 options.json ? "--json a picture file" : "--timings a file");
-  if (job.frames.count() > 1)
-    throw error(ErrorKind::usage, "-o - takes one frame; choose it by --frames 7-7, or write files like x.####.png");
-  if (job.settings.aovs != 0) throw error(ErrorKind::usage, "-o - takes no --aov; write files like x.####.png");
+  if (job.frames.count() > 1 && !is_device(options.pattern))
+    throw error(ErrorKind::usage, "-o {} takes one frame; choose it by --frames 7-7, or write files like x.####.png",
+                options.pattern);
+  if (job.settings.aovs != 0)
+    throw error(ErrorKind::usage, "-o {} takes no --aov; write files like x.####.png", options.pattern);
   OutputPaths paths;
-  paths.to_standard_output = true;
+  paths.stream = options.pattern;
   paths.timings = options.timings;
   if (!options.contact_sheet.empty()) require_writable_format(options.contact_sheet);
   add_tables(options, paths, files);
@@ -154,15 +170,20 @@ OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source
   if (descriptor_named_by(options.timings) == STDOUT_FILENO) options.timings = "-";
   if (options.json && options.timings == "-")
     throw error(ErrorKind::usage, "--timings - and --json both want standard output; give --timings a file");
-  if (options.pattern == "-" && options.existing != Existing::overwrite)
-    throw error(ErrorKind::usage,
-                "-o - writes to standard output, where nothing is there already; leave --existing out");
-  if (options.pattern == "-") return picture_to_standard_output(options, job, files, claims);
+  if (descriptor_named_by(options.pattern) == STDOUT_FILENO) options.pattern = "-";
+  if (is_stream(options.pattern)) {
+    if (options.existing != Existing::overwrite)
+      throw error(ErrorKind::usage, "-o {} is no file that could be there already; leave --existing out",
+                  options.pattern);
+    return pictures_to_stream(options, job, files, claims);
+  }
   OutputPaths paths;
   const std::string usual = "out/" + short_name(source) + ".####.png";
   paths.pattern = parse_output_pattern(options.pattern.empty() ? usual : options.pattern, job.frames.count() > 1);
   const fs::path first = output_path(paths.pattern, job.frames.lowest());
   require_writable_format(first);
+  const PixelRect picture = picture_rect(job.settings);
+  require_writable_size(first, picture.width_px, picture.height_px);
   if (job.settings.alpha && !keeps_alpha(first.string()))
     throw error(ErrorKind::usage, "{}: this format has no alpha channel; with --alpha use .png, .exr or .tif",
                 first.string());
@@ -174,6 +195,7 @@ OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source
   if (options.existing == Existing::refuse) require_none_there(job, paths.pattern);
   claim_all(options, job, paths, claims, warnings);
   add_tables(options, paths, files);
+  claims.remove_stale_temporaries();
   require_writable(first);
   require_writable(paths.report);
   if (!options.contact_sheet.empty()) require_writable(options.contact_sheet);

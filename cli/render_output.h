@@ -27,7 +27,9 @@ struct OutputOptions {
 
 /// Where a run's files go.
 struct OutputPaths {
-  bool to_standard_output = false;  ///< one picture, as PNG; then `pattern` is empty, and tables only where asked for
+  /// Not empty: "-" (standard output), a descriptor, pipe or device that takes all pictures, as PNG. Then `pattern` is
+  /// empty, and tables are written only where asked for.
+  std::string stream;
   OutputPattern pattern;
   std::string timings;           ///< may be "-"; empty: none
   std::filesystem::path report;  ///< empty: none

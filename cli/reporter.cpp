@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/standard_streams.h"
+#include "core/base/error.h"
+#include "core/base/output_file.h"
 
 namespace hybridrt::cli {
 
@@ -20,7 +21,7 @@ void Reporter::warnings(const Warnings& all) {
     if (json_)
       emit({{"event", "warning"}, {"message", warning}});
     else
-      progress_.say("hybridrt: warning: " + warning);
+      progress_.say("hybridrt: warning: " + in_one_line(warning));
 }
 
 void Reporter::notes(const std::vector<std::string>& all) {
@@ -28,7 +29,7 @@ void Reporter::notes(const std::vector<std::string>& all) {
     if (json_)
       emit({{"event", "note"}, {"message", note}});
     else if (!quiet_)
-      progress_.say("hybridrt: " + note);
+      progress_.say("hybridrt: " + in_one_line(note));
 }
 
 void Reporter::start(const RenderOptions& options, const RenderJob& job, const RunFacts& facts) {
@@ -75,8 +76,9 @@ void Reporter::end(const RunTotals& totals, bool stopped) {
 }
 
 void Reporter::emit(const json& event) {
-  fmt::print("{}\n", event.dump(-1, ' ', false, json::error_handler_t::replace));
-  flush_output();
+  OutputFile file = OutputFile::standard_output();
+  file.write(event.dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
+  file.commit();
 }
 
 }  // namespace hybridrt::cli

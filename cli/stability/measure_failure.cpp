@@ -1,11 +1,14 @@
 #include "cli/stability/measure_failure.h"
 
-#include "cli/interrupt.h"
-#include "cli/stopped.h"
+#include "core/base/interrupt.h"
 #include "core/image/srgb.h"
 
 namespace hybridrt::cli {
 namespace {
+
+void stop_if_asked() {
+  if (stop_requested()) throw Stopped();
+}
 
 size_t pixels_in_shadow(const Truth& truth) {
   size_t count = 0;

@@ -25,8 +25,11 @@ struct FailurePictures {
   Image picture, truth, difference;
 };
 
+/// A signal asked to stop.
+struct Stopped {};
+
 /// Renders a failure sweep's contenders. Scenes are made anew for each value, points are remembered. Its functions
-/// throw Stopped (stopped.h) if a signal asks to stop, and what make_render_job() throws.
+/// throw Stopped, and what make_render_job() throws.
 class FailureMeasurer {
  public:
   FailureMeasurer(const FailureSweep& sweep, const RenderOptions& base, ThreadPool& pool);

@@ -11,10 +11,10 @@
 #include "cli/progress.h"
 #include "cli/run_report.h"
 #include "cli/stability/measure_failure.h"
-#include "cli/stopped.h"
 #include "cli/sweep/csv.h"
 #include "cli/version.h"
 #include "core/base/error.h"
+#include "core/base/interrupt.h"
 #include "core/base/output_file.h"
 #include "core/image_io/encode_image.h"
 
@@ -155,6 +155,7 @@ bool run_stability(const std::vector<FailureSweep>& sweeps, const RenderOptions&
   StabilityFiles files(folder);
   write_file_atomically(folder / "stability.json", facts_of(base, command_line, sweeps).dump(2) + "\n");
   Progress progress(static_cast<int64_t>(sweeps.size()), quiet, "trial");
+  const FinishingFrames finishing;
   try {
     for (const FailureSweep& sweep : sweeps) {
       FailureMeasurer measurer(sweep, base, pool);

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -60,6 +61,7 @@ std::string csv_line(const std::vector<std::string>& cells) {
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {
+  require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) throw error(ErrorKind::input, "{}: cannot be read; check the path", path.string());
   const std::string text((std::istreambuf_iterator<char>(file)), {});

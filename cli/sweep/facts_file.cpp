@@ -4,6 +4,7 @@
 
 #include "cli/sweep/accuracy.h"
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/output_file.h"
 
 namespace hybridrt::cli {
@@ -13,6 +14,7 @@ using Json = nlohmann::ordered_json;
 
 /// Null if there is no such file.
 Json read_facts(const std::filesystem::path& path) {
+  require_regular_file(path);
   std::ifstream file(path);
   if (!file) return nullptr;
   Json facts = Json::parse(file, nullptr, /*allow_exceptions=*/false);

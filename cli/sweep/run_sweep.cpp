@@ -102,7 +102,7 @@ class Sweep {
 
   void tell(const Warnings& warnings) {
     for (const std::string& warning : warnings)
-      if (told_.insert(warning).second) progress_.say("hybridrt: warning: " + warning);
+      if (told_.insert(warning).second) progress_.say("hybridrt: warning: " + in_one_line(warning));
   }
 
   void fail(const SweepSetting& setting, const std::string& reason) {
@@ -132,6 +132,7 @@ class Sweep {
   }
 
   void measure_batch(std::vector<Group>& batch) {
+    const FinishingFrames finishing;
     for (int round = 1; round <= request_.rounds; ++round)
       for (Group& group : batch)
         for (const SweepSetting* setting : group.settings) {

@@ -57,7 +57,7 @@ Trials::Trials(const RenderOptions& base, const Goal& goal, int truth_samples, b
   set_job(scene_, setting, *pool_, warnings);
   add_files_read(setting.options, *source_, files_);
   add_files_read(scene_.job.scene, files_);
-  for (const std::string& warning : warnings) complain("warning: " + warning);
+  for (const std::string& warning : warnings) complain("warning: " + in_one_line(warning));
 }
 
 void Trials::set_frames(const std::vector<int>& frames) {
@@ -80,9 +80,7 @@ void Trials::set_job_of(const Choice& choice, const std::vector<int>& frames) {
 
 double Trials::worst_error() {
   const std::vector<Truth>& truths = truths_.of(scene_.job, *pool_);
-  stop_if_asked();
   const std::vector<Frame> frames = render_to_compare(scene_.job, *pool_);
-  stop_if_asked();
   double worst = -INFINITY;
   for (size_t i = 0; i < frames.size(); ++i)
     worst = std::max(worst, error_of(goal_, measure_accuracy(frames[i], truths[i]), frames[i].picture.pixel_count()));
@@ -108,7 +106,6 @@ void Trials::measure(const std::vector<Choice>& choices) {
     for (const Choice& choice : choices) {
       set_job_of(choice, frames_);
       const Visit visit = hybridrt::cli::measure(scene_.job, *pool_);
-      stop_if_asked();
       for (const Frame& frame : visit.frames) find(choice).times_ms.push_back(frame.timings.wall_ms);
     }
   if (quiet_) return;

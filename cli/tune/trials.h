@@ -3,7 +3,6 @@
 #include <map>
 #include <memory>
 
-#include "cli/stopped.h"
 #include "cli/sweep/loaded_scene.h"
 #include "cli/tune/goal.h"
 #include "core/base/run_files.h"
@@ -24,7 +23,7 @@ struct Trial {
   double ms() const;  ///< their median; 0 if there are none
 };
 
-/// Renders choices on some frames of a scene, and remembers them. Its functions throw Stopped.
+/// Renders choices on some frames of a scene, and remembers them.
 class Trials {
  public:
   /// `base`: the command line; `truth_samples` of the reference.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace hybridrt {
@@ -15,8 +16,8 @@ enum class ErrorKind {
   output,  ///< a file could not be written
 };
 
-/// `text` with its control characters written as escapes: names from files may hold anything.
-std::string in_one_line(const std::string& text);
+/// `text` with its control characters, and what is no UTF-8, written as escapes: names from files may hold anything.
+std::string in_one_line(std::string_view text);
 
 /// A fault outside the program. The message says what, where (file, line or element) and what to do, in one line. Only
 /// a device's own log may take more lines.

@@ -13,6 +13,7 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/base/given_descriptor.h"
+#include "core/base/output_file.h"
 #include "core/base/real_path.h"
 
 namespace hybridrt {
@@ -81,8 +82,9 @@ NumberedName numbered_name(const fs::path& file) {
 }
 
 FileClaims::~FileClaims() {
-  for (const auto& [folder, descriptor] : locks_) {
+  for (const auto& [folder, lock] : locks_) {
     const fs::path path = folder / kLockName;
+    const int descriptor = lock.descriptor;
     if (try_lock(descriptor, 0, 0) == Attempt::locked && is_at(descriptor, path)) ::unlink(path.c_str());
     ::close(descriptor);
   }
@@ -103,6 +105,24 @@ FileClaims::Answer FileClaims::claim(const fs::path& folder, std::string_view na
   return lock(folder, start_of(name) + first, int64_t{last} - first + 1, folder / name);
 }
 
+void FileClaims::remove_stale_temporaries() const {
+  for (const auto& [folder, lock] : locks_) {
+    std::error_code unreadable;
+    fs::directory_iterator entry(folder, unreadable);
+    for (; !unreadable && entry != fs::directory_iterator(); entry.increment(unreadable)) {
+      const std::string file = entry->path().filename().string();
+      const size_t mark = file.rfind(kTemporaryMark);
+      if (file[0] != '.' || mark == file.npos || mark < 2) continue;
+      const auto [name, number] = numbered_name(file.substr(1, mark - 1));
+      const int64_t byte = start_of(name) + std::max<int64_t>(number, 0);
+      const bool is_ours = std::any_of(lock.ranges.begin(), lock.ranges.end(), [&](const auto& range) {
+        return range.first <= byte && byte < range.first + range.second;
+      });
+      if (is_ours) ::unlink(entry->path().c_str());
+    }
+  }
+}
+
 FileClaims::Answer FileClaims::lock(const fs::path& named, int64_t start, int64_t length, const fs::path& shown) {
   std::error_code problem;
   fs::create_directories(named, problem);
@@ -112,11 +132,12 @@ FileClaims::Answer FileClaims::lock(const fs::path& named, int64_t start, int64_
     const auto known = locks_.find(folder);
     const bool is_first = known == locks_.end();
     const int descriptor =
-        is_first ? ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666) : known->second;
+        is_first ? ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666) : known->second.descriptor;
     if (descriptor < 0) fail(shown, "open .hybridrt.lock beside it", errno);
     const Attempt got = try_lock(descriptor, start, length);
     if (got == Attempt::locked && (!is_first || is_at(descriptor, path))) {
-      locks_[folder] = descriptor;
+      locks_[folder].descriptor = descriptor;
+      locks_[folder].ranges.emplace_back(start, length);
       return Answer::ours;
     }
     if (is_first) ::close(descriptor);

@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace hybridrt {
 
@@ -42,11 +44,19 @@ class FileClaims {
   /// missing folder is created. Throws Error(output) if it cannot be created or written to.
   [[nodiscard]] Answer claim(const std::filesystem::path& folder, std::string_view name, int first, int last);
 
+  /// Removes the temporary files (output_file.h) that killed runs have left of the files claimed here: nobody else
+  /// writes these. Before the first is written.
+  void remove_stale_temporaries() const;
+
  private:
+  struct Folder {
+    int descriptor = -1;                              ///< of its lock file
+    std::vector<std::pair<int64_t, int64_t>> ranges;  ///< first byte and length of each claim
+  };
   [[nodiscard]] Answer lock(const std::filesystem::path& folder, int64_t start, int64_t length,
                             const std::filesystem::path& shown);
 
-  std::map<std::filesystem::path, int> locks_;  ///< folder: descriptor of its lock file
+  std::map<std::filesystem::path, Folder> locks_;
 };
 
 }  // namespace hybridrt

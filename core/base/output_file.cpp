@@ -1,16 +1,21 @@
 #include "core/base/output_file.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <climits>
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/sendfile.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/given_descriptor.h"
+#include "core/base/interrupt.h"
 #include "core/base/real_path.h"
 
 namespace hybridrt {
@@ -22,7 +27,52 @@ fs::path temporary_beside(const fs::path& target) {
   static std::atomic<unsigned> counter{0};
   // A name may fill all of the 255 bytes that file systems allow: leave room for the rest.
   const std::string name = target.filename().string().substr(0, 200);
-  return target.parent_path() / fmt::format(".{}.tmp-{}-{}", name, ::getpid(), counter++);
+  return target.parent_path() / fmt::format(".{}{}{}-{}", name, kTemporaryMark, ::getpid(), counter++);
+}
+
+constexpr std::chrono::milliseconds kTick{50};
+constexpr std::chrono::seconds kLongestWaitForReader{10};  // of a named pipe
+constexpr std::chrono::seconds kLongestWaitToStop{1};      // for the other end, once a signal asks to stop
+
+/// A pipe, socket or device. A named pipe may get its reader a moment later; an open() that waits could not be stopped.
+/// Returns a negative number, with errno, in vain.
+int open_in_place(const fs::path& path) {
+  const auto give_up = std::chrono::steady_clock::now() + kLongestWaitForReader;
+  for (;;) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (descriptor >= 0 || errno != ENXIO || stop_requested() || std::chrono::steady_clock::now() > give_up)
+      return descriptor;
+    std::this_thread::sleep_for(kTick);
+  }
+}
+
+/// Waits until a pipe or the like takes bytes. False, with errno, where it will not, or a signal has asked to stop and
+/// nobody reads.
+bool wait_for_room(int descriptor) {
+  using Clock = std::chrono::steady_clock;
+  for (std::optional<Clock::time_point> give_up;;) {
+    pollfd room{descriptor, POLLOUT, 0};
+    const int ready = ::poll(&room, 1, static_cast<int>(kTick.count()));
+    if (ready > 0) return true;
+    if (ready < 0 && errno != EINTR) return false;
+    if (!stop_requested()) continue;
+    if (!give_up) give_up = Clock::now() + kLongestWaitToStop;
+    if (Clock::now() < *give_up) continue;
+    errno = ETIMEDOUT;
+    return false;
+  }
+}
+
+/// As write(2) of all of `bytes`, in pieces so small that a pipe with room takes one without waiting. Returns 0 or what
+/// failed.
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    if (!wait_for_room(descriptor)) return errno;
+    const ssize_t count = ::write(descriptor, bytes.data(), std::min<size_t>(bytes.size(), PIPE_BUF));
+    if (count < 0 && errno != EINTR && errno != EAGAIN) return errno;
+    bytes.remove_prefix(static_cast<size_t>(std::max<ssize_t>(count, 0)));
+  }
+  return 0;
 }
 
 }  // namespace
@@ -37,16 +87,18 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
   const fs::file_status there = fs::status(path, problem);
   if (fs::is_directory(there)) fail("open", EISDIR);
   if (fs::exists(there) && !fs::is_regular_file(there)) {
-    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = open_in_place(target_);
   } else {
     target_ = real_path(path);
     fs::create_directories(target_.parent_path(), problem);
     if (problem) fail("make its folder", problem.value());
     temporary_ = temporary_beside(target_);
+    kept_name_.emplace(temporary_, TemporaryName::Kind::file);
     descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   }
   if (descriptor_ < 0) {
     temporary_.clear();
+    if (errno == ENXIO) errno = EPIPE;  // a named pipe that nobody reads
     fail("open", errno);
   }
 }
@@ -75,14 +127,14 @@ void OutputFile::flush() {
 }
 
 void OutputFile::write_through(std::string_view bytes) {
+  if (temporary_.empty()) {
+    if (const int reason = write_all(descriptor_, bytes)) fail("write", reason);
+    written_ += bytes.size();
+    return;
+  }
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && errno == EAGAIN) {  // a pipe or terminal that its owner reads without waiting
-      pollfd room{descriptor_, POLLOUT, 0};
-      ::poll(&room, 1, -1);
-      continue;
-    }
     if (count < 0) fail("write", errno);
     written_ += static_cast<uint64_t>(count);
     bytes.remove_prefix(static_cast<size_t>(count));
@@ -96,6 +148,7 @@ void OutputFile::commit() {
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename", errno);
   temporary_.clear();
+  kept_name_.reset();
   sync_folder();
 }
 

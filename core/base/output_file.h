@@ -3,17 +3,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "core/base/temporary_names.h"
+
 namespace hybridrt {
+
+/// Stands in the names of temporary files between the name and the process.
+inline constexpr std::string_view kTemporaryMark = ".tmp-";
 
 /// A file that is written atomically: to a hidden temporary beside it (`.NAME.tmp-PID-N`), then fsync, then rename. A
 /// reader of the final name finds the old file, none, or the complete new one, at any moment and after a crash. Missing
 /// folders are created. A symbolic link is followed, not replaced. A device or pipe (/dev/null) is written directly,
 /// and so is a descriptor that the caller gave (/dev/stdout, /dev/fd/3): appended to, never replaced, even where it is
 /// a file. Without commit(), nothing is left behind (a killed process may leave the temporary).
+///
+/// A named pipe must get a reader within ten seconds. Once a signal has asked to stop (interrupt.h), one whose reader
+/// takes nothing for a second is given up.
 ///
 /// Every function throws Error (output), naming the file and the system's reason. For that the process must ignore
 /// SIGXFSZ if file sizes are limited. Several may be open for the same path, in any thread; the last one to commit
@@ -53,6 +62,7 @@ class OutputFile {
   const std::filesystem::path path_;  ///< as the caller named it
   /// Without a temporary the target is written directly; without a target a given descriptor is.
   std::filesystem::path target_, temporary_;
+  std::optional<TemporaryName> kept_name_;
   int descriptor_ = -1;
   std::string buffer_;
   uint64_t written_ = 0;

@@ -1,6 +1,7 @@
 #include "core/base/start_thread.h"
 
 #include <utility>
+#include <vector>
 
 namespace hybridrt {
 
@@ -21,6 +22,19 @@ std::future<void> start_task(std::function<void()> body) try {
   return std::async(std::launch::async, std::move(body));
 } catch (const std::system_error& problem) {
   throw no_thread(problem);
+}
+
+void require_threads(int count) {
+  std::promise<void> all_are_there;
+  const std::shared_future<void> end = all_are_there.get_future().share();
+  std::vector<std::future<void>> threads;
+  try {
+    for (int i = 0; i < count; ++i) threads.push_back(start_task([end] { end.wait(); }));
+  } catch (...) {
+    all_are_there.set_value();
+    throw;
+  }
+  all_are_there.set_value();
 }
 
 }  // namespace hybridrt

@@ -18,4 +18,8 @@ Error no_thread(const std::system_error& problem);
 /// Runs `body` on a thread of its own, like std::async. Throws as start_thread does.
 [[nodiscard]] std::future<void> start_task(std::function<void()> body);
 
+/// Starts so many threads at once, and ends them: for libraries that hang or abort when they cannot start theirs.
+/// Throws as start_thread does.
+void require_threads(int count);
+
 }  // namespace hybridrt

@@ -1,14 +1,18 @@
 #include "core/base/warnings.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "core/base/error.h"
 
 namespace hybridrt {
 
 std::string in_quotes(std::string_view text) {
-  std::string result = "'";
-  for (char c : text.substr(0, 60)) result += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  return result + (text.size() > 60 ? "…'" : "'");
+  size_t end = std::min<size_t>(text.size(), 60);
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u && end > 56)
+    --end;  // between characters
+  return fmt::format("'{}{}'", in_one_line(text.substr(0, end)), text.size() > end ? "…" : "");
 }
 
 void NameList::add(std::string_view name) {

@@ -74,6 +74,7 @@ ShaderSources load_shaders(const std::string& folder) {
   ShaderSources sources;
   std::error_code failure;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failure)) {
+    if (!entry.is_regular_file(failure)) continue;
     std::ifstream file(entry.path(), std::ios::binary);
     sources[entry.path().filename().string()] = {std::istreambuf_iterator<char>(file), {}};
   }

@@ -1,17 +1,19 @@
 #include "core/golden/golden.h"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 
 namespace hybridrt {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+constexpr size_t kLargestList = size_t{64} << 20;
 
 GoldenCase parse_case(const json& entry, const fs::path& list) {
   static const std::set<std::string> kKeys = {"name",         "scene",     "options", "fail",
@@ -47,15 +49,18 @@ std::string resolve_scene(const std::string& scene, const fs::path& folder) {
 }  // namespace
 
 GoldenList read_golden_list(const fs::path& path) {
-  std::ifstream file(path);
-  if (!file || fs::is_directory(path))
+  std::error_code unreachable;
+  if (!fs::exists(path, unreachable) || fs::is_directory(path, unreachable))
     throw error(ErrorKind::input, "{}: no such golden list; name one by --list", path.string());
+  const std::string text = read_whole_file(path, kLargestList);
+  if (text.size() > kLargestList)
+    throw error(ErrorKind::input, "{} is larger than {} MiB; is it a golden list?", path.string(), kLargestList >> 20);
   GoldenList list;
   list.folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
   try {
     json document;
     try {
-      document = json::parse(file);
+      document = json::parse(text);
     } catch (const json::exception& problem) {
       throw error(ErrorKind::input, "{}: not a golden list: {}", path.string(), problem.what());
     }

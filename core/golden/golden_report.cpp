@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "core/base/error.h"
 #include "core/golden/golden.h"
 
 namespace hybridrt {
@@ -10,7 +11,7 @@ namespace fs = std::filesystem;
 
 std::string escaped(const std::string& text) {
   std::string out;
-  for (char c : text) {
+  for (char c : in_one_line(text)) {  // XML has no control characters
     if (c == '&')
       out += "&amp;";
     else if (c == '<')

@@ -157,6 +157,14 @@ bool keeps_metadata(const std::string& format_or_name) {
 
 void require_writable_format(const std::filesystem::path& name) { require_writer(name.string()); }
 
+void require_writable_size(const std::filesystem::path& name, int width_px, int height_px) {
+  constexpr int kLeastJpeg2000_px = 32;
+  if (std::string_view(require_writer(name.string())->format_name()) == "jpeg2000" &&
+      std::min(width_px, height_px) < kLeastJpeg2000_px)
+    throw error(ErrorKind::usage, "{}: {}x{} pixels are too small for JPEG 2000, which takes {} a side; use .png",
+                name.string(), width_px, height_px, kLeastJpeg2000_px);
+}
+
 std::vector<unsigned char> encode_image(const Image& linear, const std::string& format_or_name,
                                         const ImageMetadata& metadata) {
   // Before the writer: it holds on to the proxy and the file until it is destroyed.
@@ -166,6 +174,7 @@ std::vector<unsigned char> encode_image(const Image& linear, const std::string& 
 
   const Output writer = require_writer(format_or_name);
   const std::string format = writer->format_name();
+  require_writable_size(format_or_name, linear.width_px, linear.height_px);
   if (linear.pixel_count() == 0) throw error(ErrorKind::output, "{}: the picture has no pixels", format_or_name);
   if (const NonFinite at = find_non_finite(linear); at.found)
     throw error(ErrorKind::output,

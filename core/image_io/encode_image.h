@@ -15,6 +15,10 @@ bool can_write_format(const std::string& format_or_name);
 /// Throws Error (usage), naming the file and common formats, if the extension of `name` cannot be written.
 void require_writable_format(const std::filesystem::path& name);
 
+/// Throws Error(usage) if the format cannot hold a picture of that size: JPEG 2000 as OpenImageIO writes it has six
+/// resolutions, and for a side under 32 pixels no more than headers come out.
+void require_writable_size(const std::filesystem::path& name, int width_px, int height_px);
+
 /// Whether files of that format keep an image's layers.
 bool keeps_layers(const std::string& format_or_name);
 

@@ -159,13 +159,27 @@ TexelImage read_codes(const fs::path& path, OIIO::ImageInput& input) {
   return image;
 }
 
+/// Turns whatever a library throws into an Error(input) about the file.
+[[noreturn]] void throw_as_input_error(const fs::path& path) {
+  try {
+    throw;
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw error(ErrorKind::input, "{}: too large for the memory; use a smaller image", path.string());
+  } catch (const std::exception& problem) {
+    throw error(ErrorKind::input, "{}: not a readable image: {}; write or copy it again", path.string(),
+                one_line(problem.what()));
+  }
+}
+
 }  // namespace
 
 Image read_image(const fs::path& path) try {
   const Input input = open_image(path);
   return read_pixels(path, *input);
-} catch (const std::bad_alloc&) {
-  throw error(ErrorKind::input, "{}: too large for the memory; use a smaller image", path.string());
+} catch (...) {
+  throw_as_input_error(path);
 }
 
 std::string read_description(const fs::path& path) try {
@@ -182,8 +196,8 @@ TexelImage read_texels(const fs::path& path, int largest_side_px, uint64_t most_
     throw error(ErrorKind::input, "{}: {}x{} pixels are too large for a texture; at most {} on a side and {} in all",
                 path.string(), spec.width, spec.height, largest_side_px, most_texels);
   return read_codes(path, *input);
-} catch (const std::bad_alloc&) {
-  throw error(ErrorKind::input, "{}: too large for the memory; use a smaller image", path.string());
+} catch (...) {
+  throw_as_input_error(path);
 }
 
 }  // namespace hybridrt

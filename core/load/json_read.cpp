@@ -1,12 +1,10 @@
 #include "core/load/json_read.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/warnings.h"
 #include "core/load/text_scan.h"
 
@@ -43,25 +41,9 @@ std::string_view reason(std::string_view message) {
 }  // namespace
 
 json read_json_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw error(ErrorKind::input, "{} is a directory; name the JSON file in it", path.string());
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw error(ErrorKind::input, "{} cannot be opened: {}; check its name and permissions", path.string(),
-                std::strerror(errno));
-  std::string text(size_t{1} << 16, '\0');
-  size_t have = 0;
-  for (; have <= kLargestJson; text.resize(std::max(text.size(), 2 * have))) {
-    file.read(text.data() + have, static_cast<std::streamsize>(text.size() - have));
-    const auto got = static_cast<size_t>(file.gcount());
-    if (got == 0) break;
-    have += got;
-  }
-  if (file.bad()) throw error(ErrorKind::input, "{} cannot be read", path.string());
-  if (have > kLargestJson)
+  const std::string text = read_whole_file(path, kLargestJson);
+  if (text.size() > kLargestJson)
     throw error(ErrorKind::input, "{} is larger than {} MiB; is it a JSON file?", path.string(), kLargestJson >> 20);
-  text.resize(have);
   try {
     return json::parse(text);
   } catch (const json::parse_error& problem) {

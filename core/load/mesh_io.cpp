@@ -5,6 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/load/assemble_scene.h"
 #include "core/load/loading_bytes.h"
 #include "core/load/mesh_format.h"
@@ -64,6 +65,7 @@ Scene load_meshes(std::span<const std::filesystem::path> paths, UpAxis up, Threa
   HRT_CHECK(!paths.empty());
   uint64_t memory_bytes = 0;
   for (const std::filesystem::path& path : paths) {
+    require_regular_file(path);
     memory_bytes += loading_bytes(path);
     if (watch.progress) watch.progress->bytes += file_bytes(path);
   }

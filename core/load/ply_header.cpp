@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/warnings.h"
 #include "core/load/text_scan.h"
 
@@ -128,9 +129,8 @@ uint64_t least_bytes(const PlyElement& element, PlyFormat format) {
 }
 
 PlyHeader read_ply_header(const std::filesystem::path& path) {
+  require_regular_file(path);
   std::error_code problem;
-  if (std::filesystem::is_directory(path, problem))
-    throw error(ErrorKind::input, "{} is a directory; name the file in it", path.string());
   std::ifstream file(path, std::ios::binary);
   const uint64_t file_bytes = std::filesystem::file_size(path, problem);
   if (!file || problem) throw error(ErrorKind::input, "{} cannot be opened", path.string());

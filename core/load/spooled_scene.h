@@ -12,9 +12,10 @@ inline constexpr Named<MeshFormat> kMeshFormatNames[] = {{"obj", MeshFormat::obj
                                                          {"stl", MeshFormat::stl},
                                                          {"om", MeshFormat::om}};
 
-/// The mesh that standard input brings. Readers need a file, so it goes into a temporary one, which is removed with the
+/// The mesh that standard input ("-") or a descriptor that the caller gave (/dev/fd/63, the shell's <(...)) brings.
+/// Readers need a file, so it goes into a temporary one, which is removed with the
 /// last copy of the result; names in it begin in the working directory. Throws Error(input) if nothing comes,
 /// Error(output) if it cannot be kept.
-SceneSource read_scene_from_standard_input(MeshFormat format);
+SceneSource read_piped_scene(const std::string& argument, MeshFormat format);
 
 }  // namespace hybridrt

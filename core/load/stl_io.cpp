@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 #include "core/base/warnings.h"
 #include "core/load/mesh_builder.h"
 #include "core/load/stl_colors.h"
@@ -180,9 +181,8 @@ bool looks_like_text(std::string_view start) {
 }  // namespace
 
 MeshData read_stl(const std::filesystem::path& path, Warnings& warnings) {
+  require_regular_file(path);
   std::error_code problem;
-  if (std::filesystem::is_directory(path, problem))
-    throw error(ErrorKind::input, "{} is a directory; name the file in it", path.string());
   std::ifstream file(path, std::ios::binary);
   const uint64_t bytes = std::filesystem::file_size(path, problem);
   if (!file || problem) throw error(ErrorKind::input, "{} cannot be opened", path.string());

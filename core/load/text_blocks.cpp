@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/input_file.h"
 
 namespace hybridrt {
 namespace {
@@ -41,16 +42,15 @@ size_t whole_lines(std::string_view text, LineJoin join, bool more) {
 
 TextBlocks::TextBlocks(const std::filesystem::path& path, LineJoin join)
     : path_(path), join_(join), file_(nullptr, &std::fclose) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw error(ErrorKind::input, "{} is a directory; name the file in it", path.string());
+  require_regular_file(path);
   file_.reset(std::fopen(path.c_str(), "rb"));
   if (!file_)
     throw error(ErrorKind::input, "{} cannot be opened: {}; check its name and permissions", path.string(),
                 std::strerror(errno));
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // we read whole blocks
+  std::error_code ignored;
   const uintmax_t file_bytes = std::filesystem::file_size(path, ignored);
-  if (!ignored) most_at_first_ = std::max<uintmax_t>(file_bytes + 1, 4096);  // a pipe has no size
+  if (!ignored) most_at_first_ = std::max<uintmax_t>(file_bytes + 1, 4096);
 }
 
 std::string_view TextBlocks::next(size_t bytes) {

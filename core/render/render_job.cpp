@@ -1,5 +1,6 @@
 #include "core/render/render_job.h"
 
+#include "core/base/start_thread.h"
 #include "core/base/timing.h"
 #include "core/mesh/inside_out.h"
 #include "core/mesh/reflective_share.h"
@@ -77,6 +78,7 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
     const auto& render = uses_shadow_map(job.settings) ? render_mapped : render_tiles;
     render(job.scene, job.facts, job.topology, job.settings, rays, pool, next, deliver);
   } else {
+    require_threads(pool.size() + 1);  // a software GL waits forever for those of its own that do not start
     const std::unique_ptr<gl::Context> context = gl::open_context(job.gl);
     facts.gl = context->info();
     const bool rays_needed = needs_caster(job.facts, job.settings, lights_move(job.lights, job.motion));

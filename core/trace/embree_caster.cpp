@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
+#include "core/base/start_thread.h"
 #include "core/trace/embree_handles.h"
 #include "core/trace/holes.h"
 #include "core/trace/triangle.h"
@@ -18,6 +20,7 @@ class EmbreeCaster final : public RayCaster<float> {
   EmbreeCaster(const Scene& scene, int threads, EmbreeRays going) : going_(going) {
     HRT_CHECK(threads >= 1);
     if (scene.has_holes()) holes_ = scene.textures;
+    require_threads(threads + 1);  // its own: it aborts where they cannot be started
     device_.reset(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
     if (!device_) throw_on_embree_error(nullptr, "starting");
     scene_.reset(rtcNewScene(device_.get()));

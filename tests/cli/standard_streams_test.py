@@ -8,7 +8,6 @@ import pty
 import signal
 import socket
 import subprocess
-import threading
 import time
 import unittest
 
@@ -59,16 +58,7 @@ class StandardErrorTest(StreamsCase):
         self.assertEqual(process.wait(timeout=60), 0)
 
     def test_a_terminal_lost_while_loading(self):
-        os.mkfifo(self.path("slow.obj"))
-        self.write("scene.json", json.dumps({"meshes": ["slow.obj"]}))
-
-        def write_late():
-            with open(self.path("slow.obj"), "w", encoding="utf-8") as pipe:
-                time.sleep(1.6)
-                pipe.write(TRIANGLE)
-
-        threading.Thread(target=write_late, daemon=True).start()
-        self.on_a_lost_terminal("inspect", "scene.json", lose=lambda terminal: os.read(terminal, 10))
+        self.on_a_lost_terminal("inspect", "scene:spheres,triangles=4M", lose=lambda terminal: os.read(terminal, 10))
 
     def test_a_terminal_lost_while_rendering(self):
         self.on_a_lost_terminal("render", SCENE, *SMALL, "--frames", "40", lose=lambda terminal: os.read(terminal, 10))

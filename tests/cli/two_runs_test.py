@@ -103,6 +103,16 @@ class TwoRunsTest(CliTestCase):
             self.assertFalse(os.path.exists(self.path("out/.hybridrt.lock")), "a killed run's lock does not stop others")
             os.remove(self.path("out/x.0001.png"))
 
+    def test_temporary_files_of_killed_runs_go(self):
+        os.makedirs(self.path("out"))
+        stale = ("x.0002.png", "x.depth.0003.png", "timings.csv", "run.json")
+        kept = ("x.0009.png", "y.0002.png", "x.depth.0009.png")
+        for name in (*stale, *kept):
+            self.write(f"out/.{name}.tmp-99999999-7", "half")
+        self.succeed("render", *QUICK, "--frames", "3", "--aov", "depth", "-o", "out/x.####.png")
+        self.assertEqual([name for name in self.files("out") if name.startswith(".")],
+                         sorted(f".{name}.tmp-99999999-7" for name in kept))
+
     def test_many_short_runs_in_one_folder(self):
         # Runs come and go, and the lock file with them; each has its own frames.
         runs = [self.start("render", *CPU, "--size", "8x8", "--method", "raytrace", "--frames", f"{n}-{n}",
