@@ -134,9 +134,8 @@ void add_render_command(CLI::App& app, const std::vector<std::string>& command_l
 
   command->footer(
       "Examples:\n"
-      "  hybridrt render car.obj --frames 100 -o turn/car.####.png\n"
       "  hybridrt render scene:chess --size 1920x1080 --samples 8\n"
-      "  hybridrt render car.obj --frames 1000 --resume          # goes on where a run ended\n"
+      "  hybridrt render car.obj --frames 1000 -o turn/car.####.png --resume\n"
       "  hybridrt render hall.json --camera walk.json --frames 1-240:10 --contact-sheet walk.png");
   command->callback(
       [options, output, command_line, &chosen] { chosen = [=] { return render(*options, *output, command_line); }; });

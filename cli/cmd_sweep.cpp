@@ -210,7 +210,6 @@ void add_sweep_command(CLI::App& app, const std::vector<std::string>& command_li
       "Examples:\n"
       "  hybridrt sweep scene:chess --preset pareto -o out/pareto\n"
       "  hybridrt sweep car.obj --over reflection-percent=0:100:10 --over method=hybrid,raytrace -o out/mirrors\n"
-      "  hybridrt sweep scene:thin --over shadows=map,blur,exact --over shadow-map=512:8192:*2 -o out/maps\n"
       "  hybridrt sweep --preset stability -o out/stability");
   command->callback([options, command_line, &chosen] { chosen = [=] { return sweep(*options, command_line); }; });
 }

@@ -8,7 +8,7 @@ namespace hybridrt::cli {
 /// they are settled one after the other, from the best that there is: as few samples as the goal allows, then as few
 /// generations of rays; then every method and shadow mode that meets the goal so, with its own parameters (map and
 /// kernel) as small as it allows, is timed; then accelerator and frames in flight of the fastest. Throws Error(usage),
-/// saying what can be reached, if the best does not meet the goal; Stopped.
+/// saying what can be reached, if the best does not meet the goal.
 Choice cheapest_choice(Trials& trials, const Goal& goal);
 
 }  // namespace hybridrt::cli

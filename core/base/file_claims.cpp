@@ -82,9 +82,10 @@ NumberedName numbered_name(const fs::path& file) {
 }
 
 FileClaims::~FileClaims() {
-  for (const auto& [folder, lock] : locks_) {
+  for (auto& [folder, lock] : locks_) {
     const fs::path path = folder / kLockName;
     const int descriptor = lock.descriptor;
+    lock.name.reset();
     if (try_lock(descriptor, 0, 0) == Attempt::locked && is_at(descriptor, path)) ::unlink(path.c_str());
     ::close(descriptor);
   }
@@ -136,6 +137,7 @@ FileClaims::Answer FileClaims::lock(const fs::path& named, int64_t start, int64_
     if (descriptor < 0) fail(shown, "open .hybridrt.lock beside it", errno);
     const Attempt got = try_lock(descriptor, start, length);
     if (got == Attempt::locked && (!is_first || is_at(descriptor, path))) {
+      if (is_first) locks_[folder].name = std::make_unique<TemporaryName>(path, TemporaryName::Kind::lock, descriptor);
       locks_[folder].descriptor = descriptor;
       locks_[folder].ranges.emplace_back(start, length);
       return Answer::ours;

@@ -3,10 +3,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "core/base/temporary_names.h"
 
 namespace hybridrt {
 
@@ -51,6 +54,7 @@ class FileClaims {
  private:
   struct Folder {
     int descriptor = -1;                              ///< of its lock file
+    std::unique_ptr<TemporaryName> name;              ///< of the lock file, until this object's end
     std::vector<std::pair<int64_t, int64_t>> ranges;  ///< first byte and length of each claim
   };
   [[nodiscard]] Answer lock(const std::filesystem::path& folder, int64_t start, int64_t length,

@@ -4,13 +4,18 @@
 
 namespace hybridrt {
 
-/// Keeps the name of a temporary file (or of a folder that holds one) until its end, for remove_temporary_files(). The
-/// names are the process's, not an object's: a signal handler has nothing else to find them by. Where very many are
-/// kept at once, or a name is longer than the system takes, some are not remembered.
+/// Keeps the name of a temporary file (of a folder that holds one, of a lock file) until its end, for
+/// remove_temporary_files(). The names are the process's, not an object's: a signal handler has nothing else to find
+/// them by. Where very many are kept at once, or a name is longer than the system takes, some are not remembered.
 class TemporaryName {
  public:
-  enum class Kind { file, folder };
-  TemporaryName(const std::filesystem::path& path, Kind kind);
+  enum class Kind {
+    file,
+    folder,
+    lock  ///< a file that other processes lock too: it stays while one of them does
+  };
+  /// `descriptor`: of the open lock file, which outlives this object.
+  TemporaryName(const std::filesystem::path& path, Kind kind, int descriptor = -1);
   ~TemporaryName();
   TemporaryName(const TemporaryName&) = delete;
   TemporaryName& operator=(const TemporaryName&) = delete;

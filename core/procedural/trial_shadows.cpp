@@ -11,7 +11,7 @@ constexpr SceneParameter kElevation{"elevation", "of the light over the horizon,
     kEyeElevation{"eye-elevation", "of the eye over the plane, degrees", 0, 90, 25},
     kSegments{"segments", "of the ball, around", 4, 1024, 64, true}, kScale{"scale", "of everything", 1e-12, 1e12, 1},
     kDistance{"distance", "of everything from the origin", 0, 1e12, 0},
-    kSpread{"spread", "distance from the origin, with a second plane as far on the other side", 0, 1e8, 0};
+    kSpread{"spread", "distance from the origin, with something as far beyond it", 0, 1e8, 0};
 constexpr SceneParameter kStage[] = {kElevation, kFromView, kEyeElevation, kSegments, kScale, kDistance, kSpread};
 
 dvec3 offset_of(const SceneValues& values) {
