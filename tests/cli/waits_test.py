@@ -121,6 +121,13 @@ class SignalsTest(WaitsCase):
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.01)
 
+    @staticmethod
+    def catches(process, number):
+        """Whether the process has a handler for a signal, by /proc."""
+        with open(f"/proc/{process.pid}/status", encoding="ascii") as status:
+            caught = next(line for line in status if line.startswith("SigCgt:"))
+        return int(caught.split()[1], 16) >> (number - 1) & 1 == 1
+
     def test_while_loading_and_building(self):
         scene = "scene:spheres,triangles=3M"
         self.write("list.json", json.dumps({"cases": [{"name": "a", "scene": scene, "options": [], "reason": "is"}]}))
@@ -128,7 +135,8 @@ class SignalsTest(WaitsCase):
             for command in (("render", scene, "--accel", "kdtree", "-q", "-o", "x.png"), ("inspect", scene),
                             ("tune", scene, "--max-error", "99dB", "-q"), ("golden", "check", "--list", "list.json")):
                 process = self.start(*command)
-                time.sleep(0.7)
+                self.wait_until(lambda: self.catches(process, number))  # before, the libraries are being loaded
+                time.sleep(0.3)
                 self.assertIsNone(process.poll(), command)
                 self.assertEqual(self.end(process, number, within=5), code, command)
                 self.assertEqual([name for name in self.files() if name.startswith(".")], [])
