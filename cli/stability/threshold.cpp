@@ -1,5 +1,6 @@
 #include "cli/stability/threshold.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hybridrt::cli {
@@ -7,32 +8,36 @@ namespace {
 
 constexpr double kCloseEnough = 1.05;
 
-/// A value to try between two; nothing if they are close enough.
-std::optional<double> between_them(double a, double b, Between between) {
-  if (between == Between::none) return std::nullopt;
-  if (between == Between::whole) {
-    const double middle = std::floor((a + b) / 2);
-    return std::abs(a - b) > 1 ? std::optional(middle) : std::nullopt;
+/// Whether there is no value left to try between two.
+bool are_close(double a, double b, Between between) {
+  switch (between) {
+    case Between::none: return true;
+    case Between::whole: return std::abs(a - b) <= 1;
+    case Between::ratios: return !(a * b > 0) || std::max(a / b, b / a) < kCloseEnough;
   }
-  if (!(a * b > 0) || std::max(a / b, b / a) < kCloseEnough) return std::nullopt;
-  return std::copysign(std::sqrt(a * b), a);
+  return true;
+}
+
+double middle_of(double a, double b, Between between) {
+  return between == Between::whole ? std::floor((a + b) / 2) : std::copysign(std::sqrt(a * b), a);
 }
 
 }  // namespace
 
 Threshold find_threshold(std::span<const double> values, Between between, const std::function<bool(double)>& fails) {
+  size_t first_failure = 0;
+  while (first_failure < values.size() && !fails(values[first_failure])) ++first_failure;
   Threshold threshold;
-  for (const double value : values) {
-    if (fails(value)) {
-      threshold.fails_from = value;
-      break;
-    }
-    threshold.holds_to = value;
+  if (first_failure > 0) threshold.holds_to = values[first_failure - 1];
+  if (first_failure < values.size()) threshold.fails_from = values[first_failure];
+  if (first_failure == 0 || first_failure == values.size()) return threshold;
+
+  double holds_to = values[first_failure - 1], fails_from = values[first_failure];
+  while (!are_close(holds_to, fails_from, between)) {
+    const double middle = middle_of(holds_to, fails_from, between);
+    (fails(middle) ? fails_from : holds_to) = middle;
   }
-  if (!threshold.holds_to || !threshold.fails_from) return threshold;
-  while (const std::optional<double> middle = between_them(*threshold.holds_to, *threshold.fails_from, between))
-    (fails(*middle) ? threshold.fails_from : threshold.holds_to) = *middle;
-  return threshold;
+  return {holds_to, fails_from};
 }
 
 }  // namespace hybridrt::cli
