@@ -56,12 +56,10 @@ def write_pictures(folder, contender, target):
 def trial_part(stability, trial, folder, images):
     chart = images / f"{trial.name}.svg"
     shutil.copyfile(folder / f"{trial.name}.svg", chart)
-    options = "".join(f" {option}" for option in trial.options)
-    axis = f"--{trial.parameter} V" if trial.parameter not in trial.scene and any(
-        trial.parameter == name for name in ("shadow-map", "blur-kernel", "reflection-depth")) else ""
-    scene = trial.scene if axis else f"{trial.scene},{trial.parameter}=V"
+    options = " ".join(([f"--{trial.parameter} V"] if trial.is_option else []) + list(trial.options))
+    scene = trial.scene if trial.is_option else f"{trial.scene},{trial.parameter}=V"
     text = [f'<a name="{trial.name}"></a>\n## {trial.title}',
-            f"{trial.reason[0].upper()}{trial.reason[1:]}. `{scene}`{f' `{(axis + options).strip()}`' if axis or options else ''}. "
+            f"{trial.reason[0].upper()}{trial.reason[1:]}. `{scene}`{f' `{options}`' if options else ''}. "
             f"Bad: {MEASURES[trial.measure]}.",
             f"![bad pixels over {trial.parameter}](images/stability/{chart.name})"]
     failing = next((contender for contender in trial.contenders if contender.picture), None)

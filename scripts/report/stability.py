@@ -43,6 +43,7 @@ class Trial:
     reason: str
     scene: str
     parameter: str
+    is_option: bool
     unit: str
     measure: str
     options: tuple[str, ...]
@@ -92,7 +93,7 @@ def _trial(entry: dict[str, Any], points: list[dict[str, str]], thresholds: list
         Contender(row["contender"], _points(entry["name"], row["contender"], points, falls), _number(row["holds_to"]),
                   _number(row["fails_from"]), row["picture"], row["truth"], row["difference"])
         for row in thresholds if row["trial"] == entry["name"])
-    return Trial(entry["name"], entry["title"], entry["reason"], entry["scene"], entry["parameter"], entry["unit"],
+    return Trial(entry["name"], entry["title"], entry["reason"], entry["scene"], entry["parameter"], bool(entry["is_option"]), entry["unit"],
                  entry["measure"], tuple(entry["options"]), entry["truth"], contenders)
 
 

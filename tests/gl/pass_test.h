@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/mesh/normals.h"
 #include "core/passes/receiver_hull.h"
 #include "core/passes_gl/id_buffer.h"
 #include "core/passes_gl/receiver_depths.h"
@@ -8,24 +7,19 @@
 #include "core/trace/kd_caster.h"
 #include "core/trace/triangle.h"
 #include "tests/gl/gl_test.h"
+#include "tests/support/built_normals.h"
 #include "tests/support/trace_scenes.h"
 
 namespace hybridrt {
 
 /// Adds what shading reads to a scene of bare triangles: one grey material and each face's normal.
 inline Scene with_normals(Scene scene) {
-  ThreadPool pool(1);
   std::erase_if(scene.triangle_positions, [&](const uvec3& t) {
     return is_degenerate(scene.positions[t[0]], scene.positions[t[1]], scene.positions[t[2]]);
   });
   scene.materials = {Material{}};
   scene.triangle_materials.assign(scene.triangle_count(), 0);
-  scene.normals.clear();
-  scene.triangle_normals.assign(scene.triangle_count(), uvec3(kNoNormal));
-  rebuild_missing_normals(scene, pool);
-  scene.bounds = compute_bounds(scene);
-  validate(scene);
-  return scene;
+  return with_built_normals(std::move(scene));
 }
 
 /// Slightly from above, `distance` box diagonals from the middle.

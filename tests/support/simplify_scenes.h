@@ -4,22 +4,11 @@
 #include <limits>
 #include <vector>
 
-#include "core/mesh/normals.h"
 #include "core/mesh/triangle_distance.h"
+#include "tests/support/built_normals.h"
 #include "tests/support/topology_scenes.h"
 
 namespace hybridrt {
-
-/// The scene with normals as the loaders build them.
-inline Scene with_normals(Scene scene) {
-  ThreadPool pool(1);
-  scene.normals.clear();
-  scene.triangle_normals.assign(scene.triangle_count(), uvec3(kNoNormal));
-  rebuild_missing_normals(scene, pool);
-  scene.bounds = compute_bounds(scene);
-  validate(scene);
-  return scene;
-}
 
 /// An even grid over [0, 1] x [0, 1], of `steps` by `steps` squares cut in two, with y = height(x, z).
 template <typename Height>

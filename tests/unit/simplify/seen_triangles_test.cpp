@@ -47,7 +47,7 @@ Scene room() {
   scene.materials.push_back(scene.materials[0]);
   scene.materials[1].reflect = vec3(0.9f);
   for (uint32_t t : {mirror_1, mirror_2}) scene.triangle_materials[t] = 1;
-  return with_normals(scene);
+  return with_built_normals(scene);
 }
 
 std::vector<uint8_t> kept(const Scene& scene, int depth, const std::vector<dvec3>& toward_lights, int threads = 2) {
@@ -74,7 +74,7 @@ TEST(SeenTriangles, NeighboursAreKeptAndGlassIsKeptWhole) {
   for (const bool glass : {false, true}) {
     scene.materials[0].transmit = vec3(glass ? 1 : 0);
     scene.materials[0].ni = 1.5f;
-    const Scene ball = with_normals(scene);
+    const Scene ball = with_built_normals(scene);
     const auto found = kept(ball, 0, {});
     const auto count = static_cast<size_t>(std::count(found.begin(), found.end(), 1));
     if (glass) {

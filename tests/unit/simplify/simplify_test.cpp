@@ -46,7 +46,7 @@ size_t count_positions(const Scene& scene, auto&& is_counted) {
 }
 
 TEST(Simplify, SphereStaysClosedAndWithinItsBound) {
-  const Scene scene = with_normals(sphere_scene(48, 96));
+  const Scene scene = with_built_normals(sphere_scene(48, 96));
   const float bound = 0.01f;
   const Simplified lean = simplified(scene, even_bounds(scene, bound));
   EXPECT_LT(lean.scene.triangle_count() * 6, scene.triangle_count());
@@ -60,7 +60,7 @@ TEST(Simplify, SphereStaysClosedAndWithinItsBound) {
 
 TEST(Simplify, BoundsHoldForAllCollapsesTogether) {
   for (const float bound : {0.0005f, 0.002f, 0.008f}) {
-    const Scene scene = with_normals(terrain_scene(40, hills));
+    const Scene scene = with_built_normals(terrain_scene(40, hills));
     const Simplified lean = simplified(scene, even_bounds(scene, bound));
     EXPECT_LT(lean.scene.triangle_count(), scene.triangle_count());
     EXPECT_LE(brute_force_distance(scene, lean.scene, 1), bound);
@@ -70,7 +70,7 @@ TEST(Simplify, BoundsHoldForAllCollapsesTogether) {
 
 TEST(Simplify, WhereABoundIsNotKeptItIsTriedAgain) {
   Random random(9);
-  const Scene scene = with_normals(terrain_scene(40, [&](float, float) { return 0.008f * random.unit(); }));
+  const Scene scene = with_built_normals(terrain_scene(40, [&](float, float) { return 0.008f * random.unit(); }));
   const float bound = 0.003f;
   const Simplified lean = simplified(scene, even_bounds(scene, bound));
   EXPECT_GT(lean.rounds, 1) << "a first round that keeps to it proves nothing";
@@ -82,7 +82,7 @@ TEST(Simplify, WhereABoundIsNotKeptItIsTriedAgain) {
 
 TEST(Decimate, SamplesStayWithinTheirBounds) {
   Random random(9);
-  const Scene scene = with_normals(terrain_scene(40, [&](float, float) { return 0.008f * random.unit(); }));
+  const Scene scene = with_built_normals(terrain_scene(40, [&](float, float) { return 0.008f * random.unit(); }));
   const float bound = 0.003f;
   ThreadPool pool(2);
   const Scene lean = decimate(scene, build_topology(scene, pool), even_bounds(scene, bound), pool);
@@ -96,7 +96,7 @@ TEST(Decimate, SamplesStayWithinTheirBounds) {
 }
 
 TEST(Simplify, LargerBoundsLeaveFewerTriangles) {
-  const Scene scene = with_normals(terrain_scene(40, hills));
+  const Scene scene = with_built_normals(terrain_scene(40, hills));
   size_t before = scene.triangle_count() + 1;
   for (const float bound : {0.f, 0.0005f, 0.002f, 0.008f, 0.032f}) {
     const size_t now = simplified(scene, even_bounds(scene, bound)).scene.triangle_count();
@@ -106,7 +106,7 @@ TEST(Simplify, LargerBoundsLeaveFewerTriangles) {
 }
 
 TEST(Simplify, EachTriangleKeepsItsOwnBound) {
-  const Scene scene = with_normals(terrain_scene(40, hills));
+  const Scene scene = with_built_normals(terrain_scene(40, hills));
   std::vector<float> bounds;
   for (uint32_t t = 0; t < scene.triangle_count(); ++t) {
     const float x = (scene.vertex(t, 0).x + scene.vertex(t, 1).x + scene.vertex(t, 2).x) / 3;
@@ -128,7 +128,7 @@ TEST(Simplify, FlatGroundKeepsItsBorderAndSeams) {
   scene.materials.push_back(scene.materials[0]);
   for (uint32_t t = 0; t < scene.triangle_count(); ++t)
     if (scene.vertex(t, 0).x + scene.vertex(t, 1).x + scene.vertex(t, 2).x > 1.5f) scene.triangle_materials[t] = 1;
-  scene = with_normals(scene);
+  scene = with_built_normals(scene);
   const Simplified lean = simplified(scene, even_bounds(scene, 0.01f));
   const auto border = [](const vec3& p) { return p.x == 0 || p.x == 1 || p.z == 0 || p.z == 1; };
   const auto seam = [&](const vec3& p) { return p.x == 0.5f; };
@@ -138,14 +138,14 @@ TEST(Simplify, FlatGroundKeepsItsBorderAndSeams) {
 }
 
 TEST(Simplify, CreasesStay) {
-  const Scene roof = with_normals(terrain_scene(16, [](float x, float) { return std::min(x, 1 - x) * 2; }));
+  const Scene roof = with_built_normals(terrain_scene(16, [](float x, float) { return std::min(x, 1 - x) * 2; }));
   const Simplified lean = simplified(roof, even_bounds(roof, 0.05f));
   EXPECT_LT(lean.scene.triangle_count(), roof.triangle_count() / 3);
   EXPECT_EQ(count_positions(lean.scene, [](const vec3& p) { return p.x == 0.5f; }), 17u);
 }
 
 TEST(Simplify, CornersKeepWhatTheyHave) {
-  Scene scene = with_normals(terrain_scene(24, hills));
+  Scene scene = with_built_normals(terrain_scene(24, hills));
   Textures textures;
   textures.words = {0};
   textures.triangle_maps.assign(scene.triangle_count(), 0);
@@ -197,7 +197,7 @@ TEST(Simplify, NonManifoldAndOddPartsAreLeftAlone) {
   scene.triangle_positions.push_back({base + 1, base + 2, base + 3});  // wound the other way
   scene.triangle_positions.push_back({base, base + 1, base + 2});      // twice
   scene.triangle_materials.resize(scene.triangle_count(), 0);
-  scene = with_normals(scene);
+  scene = with_built_normals(scene);
   const Simplified lean = simplified(scene, even_bounds(scene, 0.02f));
   const uint32_t odd = static_cast<uint32_t>(scene.triangle_count()) - first_odd;
   ASSERT_GT(lean.scene.triangle_count(), odd);
@@ -214,7 +214,7 @@ TEST(Simplify, BodiesThatTouchInAPointStayTwo) {
   for (const vec3& p : other.positions) scene.positions.push_back(p + vec3(0, 2, 0));
   for (const uvec3& t : other.triangle_positions) scene.triangle_positions.push_back(t + base);
   scene.triangle_materials.resize(scene.triangle_count(), 0);
-  scene = with_normals(with_own_vertices(scene));  // connected by place, not by index
+  scene = with_built_normals(with_own_vertices(scene));  // connected by place, not by index
   const Simplified lean = simplified(scene, even_bounds(scene, 0.02f));
   EXPECT_LT(lean.scene.triangle_count() * 3, scene.triangle_count());
   EXPECT_EQ(topology_of(lean.scene).components.size(), 2u);
@@ -226,7 +226,7 @@ TEST(Fans, PointsWhereSeveralMeetAreKeptWithTheirNeighbours) {
   for (const vec3& p : other.positions) scene.positions.push_back(p + vec3(0, 2, 0));
   for (const uvec3& t : other.triangle_positions) scene.triangle_positions.push_back(t + base);
   scene.triangle_materials.resize(scene.triangle_count(), 0);
-  scene = with_normals(scene);
+  scene = with_built_normals(scene);
   ThreadPool pool(2);
   const std::vector<uint32_t> welded = weld_positions(scene.positions, pool);
   const Fans fans = find_fans(scene, build_topology(scene, pool), welded, even_bounds(scene, 1));
@@ -242,7 +242,7 @@ TEST(Fans, PointsWhereSeveralMeetAreKeptWithTheirNeighbours) {
 }
 
 TEST(Simplify, SmallClosedBodiesStayBodies) {
-  const Scene scene = with_normals(sphere_scene(8, 12));
+  const Scene scene = with_built_normals(sphere_scene(8, 12));
   const Simplified lean = simplified(scene, even_bounds(scene, 10));
   expect_closed(lean.scene);
   EXPECT_GE(lean.scene.triangle_count(), 4u);
@@ -250,7 +250,7 @@ TEST(Simplify, SmallClosedBodiesStayBodies) {
 }
 
 TEST(Simplify, SameAtAnySizeAndPlace) {
-  const Scene scene = with_normals(terrain_scene(24, hills));
+  const Scene scene = with_built_normals(terrain_scene(24, hills));
   const size_t expected = simplified(scene, even_bounds(scene, 0.004f)).scene.triangle_count();
   for (const float scale : {0x1p-40f, 0x1p40f}) {
     Scene scaled = scene;
@@ -262,7 +262,7 @@ TEST(Simplify, SameAtAnySizeAndPlace) {
 }
 
 TEST(Simplify, StopsWhenAsked) {
-  const Scene scene = with_normals(terrain_scene(120, hills));
+  const Scene scene = with_built_normals(terrain_scene(120, hills));
   ThreadPool pool(2);
   const Topology topology = build_topology(scene, pool);
   const std::vector<float> bounds = even_bounds(scene, 1);
