@@ -48,7 +48,7 @@ SampledFrames sample_frames(const std::string& spec) {
 void refuse_what_is_searched(const RenderOptions& options) {
   for (const auto& [name, value] : options.given)
     for (const char* searched : {"--method", "--shadows", "--blur-kernel", "--shadow-map", "--reflection-depth",
-                                 "--samples", "--accel", "--frames-in-flight"})
+                                 "--samples", "--adaptive", "--accel", "--frames-in-flight"})
       if (name == searched) throw error(ErrorKind::usage, "{} is what tune chooses; leave it out", name);
 }
 

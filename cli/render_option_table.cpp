@@ -144,6 +144,8 @@ std::vector<RenderOption> method() {
              "lispsm: fitted to what is seen, finer nearby; uniform: fitted to the whole scene",
              &RenderSettings::shadow_warp, kShadowWarps),
       number("--samples", "N", group, "Samples per pixel, in a fixed pattern", &RenderSettings::samples, 1, 4096),
+      {"--adaptive", "", group, "Takes the samples only where there are edges, and one elsewhere",
+       [](Options& o, Text t) { o.settings.adaptive = parse_flag("--adaptive", t); }},
       number("--reflection-depth", "D", group, "Generations of rays after the first", &RenderSettings::reflection_depth,
              0, 64),
       choice("--accel", "A", group, names_in(kAccels), &RenderSettings::accel, kAccels),

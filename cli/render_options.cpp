@@ -93,6 +93,7 @@ RenderSettings finished_settings(const RenderOptions& o) {
   RenderSettings s = o.settings;
   s.shadows = o.shadows.value_or(default_shadows(s.method));
   require_method_takes(s.method, s.shadows);
+  require_adaptive_fits(s);
   if (s.crop) require_inside(*s.crop, s);
   return s;
 }

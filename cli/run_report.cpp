@@ -29,7 +29,7 @@ std::string settings_line(const RenderSettings& s) {
   std::string line = fmt::format("{}x{} method {} shadows {} reflection-depth {}", s.width_px, s.height_px,
                                  name_of(s.method), name_of(s.shadows), s.reflection_depth);
   if (s.alpha) line += " alpha";
-  if (s.samples > 1) line += fmt::format(" samples {}", s.samples);
+  if (s.samples > 1) line += fmt::format(" samples {}{}", s.samples, s.adaptive ? " adaptive" : "");
   if (s.crop) line += fmt::format(" crop {},{},{},{}", s.crop->x_px, s.crop->y_px, s.crop->width_px, s.crop->height_px);
   if (uses_shadow_map(s)) line += fmt::format(" shadow-map {} {}", s.shadow_map_px, name_of(s.shadow_warp));
   if (s.shadows == ShadowMode::blur) line += fmt::format(" blur-kernel {}", s.blur_kernel_px);
@@ -57,6 +57,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
       {"shadow_warp", name_of(s.shadow_warp)},
       {"reflection_depth", s.reflection_depth},
       {"samples", s.samples},
+      {"adaptive", s.adaptive},
       {"frames_in_flight", s.frames_in_flight}};
   report["gl"] = facts.gl ? json{{"device", facts.gl->device},
                                  {"binding", facts.gl->binding},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "core/render/samples.h"
+
 namespace hybridrt::cli {
 namespace {
 
@@ -56,8 +58,8 @@ std::string rays_table(const RenderJob& job, const RunTotals& totals) {
   const TraceStats& s = totals.stats;
   const bool rasterised = job.settings.method == Method::hybrid || job.settings.method == Method::raster;
   const PixelRect picture = picture_rect(job.settings);
-  const int64_t primary =
-      (totals.frames - totals.repeated) * picture.width_px * picture.height_px * job.settings.samples;
+  const int64_t pixels = (totals.frames - totals.repeated) * picture.width_px * picture.height_px;
+  const int64_t primary = samples_taken(job.settings, pixels, s.pixels_resampled);
   const auto casting = static_cast<int64_t>(count_shadow_casters(job.lights.lights));
   const int64_t receivers_untraced = std::max<int64_t>(0, casting * s.pixels_hit - s.primary_shadow_rays);
   std::string out = fmt::format("{:<26} {:>12} {:>12}\n", "rays", "fired", "saved");

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/load/text_scan.h"
 #include "core/render/frame_columns.h"
+#include "core/render/samples.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -14,9 +15,9 @@ namespace {
 using Row = std::vector<std::string>;
 
 const std::vector<std::string> kSettings = {
-    "scene",       "width_px",         "height_px", "method", "shadows", "blur_kernel_px",   "shadow_map_px",
-    "shadow_warp", "reflection_depth", "samples",   "accel",  "threads", "frames_in_flight", "form",
-    "triangles"};
+    "scene",       "width_px",         "height_px", "method",   "shadows", "blur_kernel_px", "shadow_map_px",
+    "shadow_warp", "reflection_depth", "samples",   "adaptive", "accel",   "threads",        "frames_in_flight",
+    "form",        "triangles"};
 const std::vector<std::string> kOneOff = {"first_frame_ms", "first_shadow_map_ms", "ready_ms",
                                           "load_ms",        "accel_build_ms",      "pixels"};
 const std::vector<std::string> kAccuracy = {"rmse",         "psnr_db",          "max_error",
@@ -72,6 +73,7 @@ Row settings_cells(const RowContext& context) {
           std::string(name_of(s.shadow_warp)),
           number(s.reflection_depth),
           number(s.samples),
+          s.adaptive ? "true" : "false",
           std::string(name_of(s.accel)),
           number(context.threads),
           number(s.frames_in_flight),
@@ -87,7 +89,7 @@ Row one_off_cells(const RowContext& context, const Visit& visit) {
           milliseconds(visit.facts.ready_ms),
           milliseconds(context.load_ms),
           milliseconds(visit.facts.accel_build_ms),
-          fmt::format("{}", int64_t{picture.width_px} * picture.height_px * settings.samples)};
+          fmt::format("{}", samples_taken(settings, int64_t{picture.width_px} * picture.height_px, 0))};
 }
 
 int number_in(const std::string& cell, const std::filesystem::path& file) {

@@ -114,7 +114,8 @@ void Trials::measure(const std::vector<Choice>& choices) {
 
 std::string text_of(const Choice& choice) {
   std::string text;
-  for (const auto& [name, value] : choice) text += fmt::format("{}--{} {}", text.empty() ? "" : " ", name, value);
+  for (const auto& [name, value] : choice)
+    text += fmt::format("{}--{}{}", text.empty() ? "" : " ", name, value == "true" ? "" : " " + value);
   return text;
 }
 

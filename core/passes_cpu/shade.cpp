@@ -29,8 +29,8 @@ struct LanePaint {
 
 class LaneShader {
  public:
-  LaneShader(const TraceJob& job, const SeenPoints& points, const uint8_t* lit)
-      : job_(job), scene_(job.scene), points_(points), lit_(lit) {}
+  LaneShader(const TraceJob& job, const View& view, const SeenPoints& points, const uint8_t* lit)
+      : job_(job), scene_(job.scene), view_(view), points_(points), lit_(lit) {}
 
   Vector color(int first) const {
     const Vector dir = vector_at(points_.dir, first), side = vector_at(points_.side, first);
@@ -103,19 +103,20 @@ class LaneShader {
     const dvec3 origin(points_.origin[0][i], points_.origin[1][i], points_.origin[2][i]);
     return textured_colors(scene_, triangle, points_.u[i], points_.v[i],
                            vec3(points_.dir[0][i], points_.dir[1][i], points_.dir[2][i]),
-                           static_cast<float>(job_.view.sample_solid_angle(points_.x[i], points_.y[i])),
-                           static_cast<float>(glm::distance(job_.view.eye, origin)));
+                           static_cast<float>(view_.sample_solid_angle(points_.x[i], points_.y[i])),
+                           static_cast<float>(glm::distance(view_.eye, origin)));
   }
 
   const TraceJob& job_;
   const Scene& scene_;
+  const View& view_;
   const SeenPoints& points_;
   const uint8_t* const lit_;
 };
 
-void shade_in_lanes(const TraceJob& job, const SeenPoints& points, const uint8_t* lit,
+void shade_in_lanes(const TraceJob& job, const View& view, const SeenPoints& points, const uint8_t* lit,
                     float (&colors)[3][SeenPoints::kRoom]) {
-  const LaneShader shader(job, points, lit);
+  const LaneShader shader(job, view, points, lit);
   for (int first = 0; first < points.count; first += kFloatsAtOnce) {
     const Vector color = shader.color(first);
     color.x.store(colors[0] + first), color.y.store(colors[1] + first), color.z.store(colors[2] + first);
@@ -131,10 +132,10 @@ namespace hybridrt {
 
 HWY_EXPORT(shade_in_lanes);
 
-void shade(const TraceJob& job, const SeenPoints& points, std::span<const uint8_t> lit,
+void shade(const TraceJob& job, const View& view, const SeenPoints& points, std::span<const uint8_t> lit,
            float (&colors)[3][SeenPoints::kRoom]) {
   HRT_CHECK(lit.size() >= static_cast<size_t>(points.count));
-  HWY_DYNAMIC_DISPATCH(shade_in_lanes)(job, points, lit.data(), colors);
+  HWY_DYNAMIC_DISPATCH(shade_in_lanes)(job, view, points, lit.data(), colors);
 }
 
 }  // namespace hybridrt

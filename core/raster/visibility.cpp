@@ -28,10 +28,12 @@ void cull_clusters(const Scene& scene, const Clusters& clusters, size_t begin, s
 /// A list of pending samples as long as this is settled before more is drawn, so that it hides what follows.
 constexpr size_t kMostPending = 8192;
 
-/// Draws items, nearest first, into a tile that begins empty.
+/// Draws items, nearest first, into a tile that begins empty. `wanted`: its only pixels that count; none: all do.
 void draw_items(const Scene& scene, const Clusters& clusters, const FrameBins& bins, std::span<const BinItem> items,
-                std::span<const uint32_t> order, const PixelBox& place, DepthTile& tile) {
+                std::span<const uint32_t> order, const PixelBox& place, std::span<const PixelAt> wanted,
+                DepthTile& tile) {
   clear_tile(tile, place);
+  if (!wanted.empty()) want_only(tile, wanted);
   ClusterScratch scratch;
   ClusterDraw draw(scene, clusters, bins.screen, scratch, tile);
   for (size_t i = 0; i < order.size(); ++i) {
@@ -103,7 +105,8 @@ TileRaster::TileRaster(TileRaster&&) noexcept = default;
 
 const DepthTile& TileRaster::depth() const { return *memory_->depth; }
 
-void TileRaster::draw(const Scene& scene, const Clusters& clusters, const FrameBins& bins, int tile) {
+void TileRaster::draw(const Scene& scene, const Clusters& clusters, const FrameBins& bins, int tile,
+                      std::span<const PixelAt> wanted) {
   HRT_CHECK(tile >= 0 && tile < bins.tile_count());
   std::vector<BinItem>& items = memory_->items;
   items.clear();
@@ -113,7 +116,7 @@ void TileRaster::draw(const Scene& scene, const Clusters& clusters, const FrameB
   const PixelBox place{x0, y0, std::min(x0 + kTileWidth_px, bins.screen.width_px) - 1,
                        std::min(y0 + kTileHeight_px, bins.screen.height_px) - 1};
   HWY_DYNAMIC_DISPATCH(draw_items)
-  (scene, clusters, bins, items, memory_->order.nearest_first(items), place, *memory_->depth);
+  (scene, clusters, bins, items, memory_->order.nearest_first(items), place, wanted, *memory_->depth);
 }
 
 void rasterize_ids(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool,

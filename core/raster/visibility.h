@@ -7,6 +7,7 @@
 #include "core/raster/bins.h"
 #include "core/raster/clusters.h"
 #include "core/scene/view.h"
+#include "core/trace/tile.h"
 
 namespace hybridrt {
 
@@ -27,8 +28,10 @@ class TileRaster {
   ~TileRaster();
   TileRaster(TileRaster&&) noexcept;
 
-  /// Draws the tile `tile` (0 to bins.tile_count() - 1) into depth(). The arguments are only read.
-  void draw(const Scene& scene, const Clusters& clusters, const FrameBins& bins, int tile);
+  /// Draws the tile `tile` (0 to bins.tile_count() - 1) into depth(). The arguments are only read. `wanted`: pixels of
+  /// the picture in the tile; if there are any, the others' triangles are undefined.
+  void draw(const Scene& scene, const Clusters& clusters, const FrameBins& bins, int tile,
+            std::span<const PixelAt> wanted = {});
 
   /// The tile that was drawn last; nothing is pending in it.
   const DepthTile& depth() const;

@@ -97,7 +97,7 @@ uint64_t fingerprint(uint64_t scene, const FrameRequest& request, const RenderSe
   for (const vec3& color : {s.ambient.color, s.ambient.slope, s.background}) hash.vector(color);
   for (int x : {s.width_px, s.height_px, static_cast<int>(s.method), static_cast<int>(s.shadows), s.blur_kernel_px,
                 s.shadow_map_px, static_cast<int>(s.shadow_warp), static_cast<int>(s.forms), s.reflection_depth,
-                s.samples, static_cast<int>(s.alpha)})
+                s.samples, static_cast<int>(takes_edge_samples(s)), static_cast<int>(s.alpha)})
     hash.word(static_cast<uint64_t>(x));
   const PixelRect picture = picture_rect(s);
   for (int x : {picture.x_px, picture.y_px, picture.width_px, picture.height_px}) hash.word(static_cast<uint64_t>(x));

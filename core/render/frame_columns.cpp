@@ -36,7 +36,8 @@ std::vector<Column> make_columns() {
         duration("shadow_cpu_ms", &TraceStats::shadow_cpu_ms),
         duration("secondary_cpu_ms", &TraceStats::secondary_cpu_ms),
         count("primary_shadow_rays", &TraceStats::primary_shadow_rays), duration("repair_ms", &TraceStats::repair_ms),
-        count("pixels_suspect", &TraceStats::pixels_suspect), count("pixels_repaired", &TraceStats::pixels_repaired)})
+        count("pixels_suspect", &TraceStats::pixels_suspect), count("pixels_repaired", &TraceStats::pixels_repaired),
+        count("pixels_resampled", &TraceStats::pixels_resampled)})
     columns.push_back(column);
   for (const PassId pass : {PassId::id, PassId::mark, PassId::trace, PassId::shade}) {
     const auto i = static_cast<size_t>(pass);

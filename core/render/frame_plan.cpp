@@ -27,6 +27,7 @@ bool repairs_ids(const RenderSettings& s) {
 }
 
 bool needs_caster(const SceneFacts& facts, const RenderSettings& s, bool light_moves) {
+  if (takes_edge_samples(s)) return true;
   if (s.method != Method::hybrid) return s.method != Method::raster;
   const bool scatters = s.reflection_depth > 0 && !facts.scattering_bounds.empty();
   return (s.shadows == ShadowMode::blur && light_moves) || scatters;
@@ -54,7 +55,7 @@ FramePlan make_frame_plan(const Scene& scene, const SceneFacts& facts, const Fra
   plan.view = part_of(make_view(request.camera, scene.origin_world, settings.width_px, settings.height_px), part.x_px,
                       part.y_px, part.width_px, part.height_px);
   plan.view.sample_px = request.sample_offset_px;
-  plan.view.samples = settings.samples;
+  plan.view.samples = takes_edge_samples(settings) ? 1 : settings.samples;
   plan.lights = request.lights;
   const double size = glm::length(dvec3(facts.bounds.extent()));
   plan.near_distance = kNearest * std::max(size, 1e-30);

@@ -7,6 +7,7 @@
 #include "core/passes_cpu/repair_primary.h"
 #include "core/passes_cpu/trace_pass.h"
 #include "core/render/aov.h"
+#include "core/render/frame_edges.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
@@ -67,7 +68,9 @@ GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shad
     unmarked_mask_ = {gl_, GL_R8UI, part_.width_px, part_.height_px, light_count, "unmarked shadow mask"};
     row_sums_ = {gl_, GL_RG8UI, part_.width_px, part_.height_px, "blurred rows"};
   }
-  for (int i = 0; i < s.frames_in_flight; ++i) slots_.emplace_back(gl_, s, light_count, depth_);
+  // Edges are traced once the picture is shaded, with the light buffers of its frame.
+  const int slots = takes_edge_samples(s) ? 1 : s.frames_in_flight;
+  for (int i = 0; i < slots; ++i) slots_.emplace_back(gl_, s, light_count, depth_);
 }
 
 GlRenderer::~GlRenderer() {
@@ -248,6 +251,13 @@ Frame GlRenderer::shade(FrameSlot& slot) {
 
   Frame frame = make_frame(slot);
   frame.timings[PassId::upload] += copying_ms;
+  if (takes_edge_samples(settings_)) {
+    TraceJob job = make_trace_job(scene_, plan, settings_);
+    if (plan.light_buffers) light_buffers_.answer(job);
+    sample_frame_edges(plan, job, settings_,
+                       {*caster_, repairs_ids(settings_) ? &clusters_ : nullptr, raster_memory_, edge_memory_}, pool_,
+                       frame);
+  }
   return frame;
 }
 

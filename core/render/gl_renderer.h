@@ -10,6 +10,7 @@
 #include "core/passes_gl/shade.h"
 #include "core/passes_gl/shadow_map.h"
 #include "core/raster/visibility.h"
+#include "core/render/edge_samples.h"
 #include "core/render/frame_slot.h"
 #include "core/render/kept_light_buffers.h"
 #include "core/render/visible_receivers.h"
@@ -75,6 +76,7 @@ class GlRenderer {
   std::vector<KeptShadowMap> shadow_maps_;
   std::optional<VisibleReceivers> receivers_;  ///< for warped maps
   KeptLightBuffers light_buffers_;
+  EdgeMemory edge_memory_;
 
   Clusters clusters_;  ///< for repairing ids; empty if settings ask for no repair
   RasterMemory raster_memory_;

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/raster/map_triangle.h"
+#include "core/render/edge_samples.h"
 #include "core/trace/light_buffer.h"
 #include "shaders/shared.h"
 
@@ -64,6 +65,12 @@ size_t cpu_frame_bytes(const RenderSettings& s, size_t lights) {
   return rendered_pixels(s) * s.frames_in_flight * slot;
 }
 
+/// EdgeMemory and what sample_edges() gathers, if all pixels are near edges.
+size_t edge_sample_bytes(const RenderSettings& s) {
+  constexpr size_t kPerPixel = 1 + 2 * sizeof(PixelAt) + 3 * sizeof(vec4);
+  return takes_edge_samples(s) ? kPerPixel * rendered_pixels(s) : 0;
+}
+
 /// FileSink holds two waiting pictures and one being written per thread, besides the current frame. Three floats per
 /// pixel, and at most as many per AOV.
 size_t picture_bytes(const RenderSettings& s, int threads, int64_t frame_count) {
@@ -78,7 +85,7 @@ size_t picture_bytes(const RenderSettings& s, int threads, int64_t frame_count) 
 MemoryEstimate estimate_frame_memory(const RenderSettings& s, size_t light_count, int threads, int64_t frame_count) {
   MemoryEstimate estimate;
   if (uses_gl(s)) estimate.gpu_frames = gpu_frame_bytes(s, light_count);
-  estimate.frames = cpu_frame_bytes(s, light_count);
+  estimate.frames = cpu_frame_bytes(s, light_count) + edge_sample_bytes(s);
   estimate.pictures = picture_bytes(s, threads, frame_count);
   return estimate;
 }

@@ -1,11 +1,53 @@
 #include "core/render/reference_renderer.h"
 
+#include <mutex>
+
 #include "core/base/timing.h"
 #include "core/passes_cpu/trace_pass.h"
 #include "core/render/aov.h"
+#include "core/render/edge_samples.h"
 #include "core/render/kept_light_buffers.h"
+#include "core/render/samples.h"
+#include "core/trace/ray_generations.h"
 
 namespace hybridrt {
+namespace {
+
+/// Takes the samples near edges of a frame (sample_edges), in double precision.
+void take_edge_samples(const FramePlan& plan, const TraceJob& job, const RenderSettings& settings,
+                       const RayCaster<double>& caster, ThreadPool& pool, EdgeMemory& memory, Frame& frame) {
+  TraceStats stats;
+  std::mutex mutex;
+  const auto take = [&](int sample, std::span<const PixelAt> pixels, std::span<vec4> colors) {
+    View view = plan.view;
+    view.sample_px = sample_offset_px(sample);
+    view.samples = settings.samples;
+    const TraceJob at{job.scene,   view,           job.lights,      job.shadows, job.reflection_depth,
+                      job.ambient, job.background, job.eye_enclosed};
+    parallel_for(pool, pixels.size(), 1024, [&](size_t begin, size_t end) {
+      RayGenerations<double> generations(at, &caster);
+      for (size_t i = begin; i < end; ++i)
+        generations.add_primary(static_cast<uint32_t>(i - begin), pixels[i].x, pixels[i].y);
+      std::vector<dvec3> light(end - begin);
+      std::vector<RayGenerations<double>::PrimaryHit> seen(end - begin);
+      TraceStats of_these;
+      generations.run(light, seen, of_these);
+      for (size_t i = begin; i < end; ++i) {
+        const bool found = seen[i - begin].triangle != kNoTriangle;
+        colors[i] = found || !settings.alpha ? vec4(vec3(light[i - begin]), found) : vec4(0);
+      }
+      const std::lock_guard lock(mutex);
+      stats.add(of_these);
+    });
+  };
+  const EdgeSampling sampling{settings.samples, /*retake_first=*/job.scene.textures != nullptr};
+  const Stopwatch tracing;
+  frame.stats.pixels_resampled = sample_edges(frame.picture, sampling, pool, memory, take);
+  frame.timings[PassId::trace] += tracing.elapsed_ms();
+  frame.stats.add(stats);
+}
+
+}  // namespace
 
 void render_reference(const Scene& scene, const SceneFacts& facts, const Topology& topology,
                       const RenderSettings& settings, const RayCaster<double>& caster, ThreadPool& pool,
@@ -15,6 +57,7 @@ void render_reference(const Scene& scene, const SceneFacts& facts, const Topolog
   std::vector<vec4> picture(pixels);
   std::vector<uint32_t> ids(pixels);
   std::vector<uint8_t> lit;
+  EdgeMemory edges;
 
   KeptLightBuffers light_buffers(scene, topology, pool);
   render_each(next, deliver, [&](const FrameRequest& request) {
@@ -31,6 +74,7 @@ void render_reference(const Scene& scene, const SceneFacts& facts, const Topolog
     const Stopwatch unpacking;
     frame.picture = picture_from_rgba(picture.data(), part.width_px, part.height_px, kept, settings.alpha, frame.stats);
     frame.timings[PassId::download] = unpacking.elapsed_ms();
+    if (takes_edge_samples(settings)) take_edge_samples(plan, job, settings, caster, pool, edges, frame);
     frame.aovs = make_aovs(scene, plan.view, kept, {plan.lights, ids, {}, lit, {}}, settings.aovs);
     return frame;
   });

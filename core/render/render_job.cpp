@@ -42,8 +42,9 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
   };
   const FrameEnds ends =
       job.repeats_still_frames ? without_repeats(next_frame, deliver_frame) : FrameEnds{next_frame, deliver_frame};
-  const NextFrame next = sampled(ends.next, job.settings.samples);
-  const DeliverFrame deliver = averaged(ends.deliver, job.settings.samples);
+  const int frame_samples = takes_edge_samples(job.settings) ? 1 : job.settings.samples;  // of every pixel
+  const NextFrame next = sampled(ends.next, frame_samples);
+  const DeliverFrame deliver = averaged(ends.deliver, frame_samples);
   const auto ready = [&] {
     facts.ready_ms = preparing.elapsed_ms();
     starting(facts);

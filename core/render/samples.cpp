@@ -6,23 +6,6 @@
 #include "core/image/srgb.h"
 
 namespace hybridrt {
-namespace {
-
-/// `sum`: of `samples` pictures. Where there is alpha, colours are the mean of the samples that see a surface.
-void take_mean(Image& sum, int samples) {
-  const int alpha = alpha_channel(sum.channels);
-  for (size_t first = 0; first < sum.data.size(); first += sum.channels) {
-    const float seen = alpha >= 0 ? sum.data[first + alpha] : static_cast<float>(samples);
-    for (int c = 0; c < sum.channels; ++c)
-      if (c == alpha)
-        sum.data[first + c] /= static_cast<float>(samples);
-      else if (seen > 0)
-        sum.data[first + c] /= seen;
-  }
-}
-
-}  // namespace
-
 dvec2 sample_offset_px(int sample) {
   constexpr double kPlastic = 1.32471795724474602596;  // the real root of x^3 = x + 1
   const auto place = [sample](double step) {
@@ -30,6 +13,20 @@ dvec2 sample_offset_px(int sample) {
     return x - std::floor(x + 0.5);
   };
   return {place(1 / kPlastic), place(1 / (kPlastic * kPlastic))};
+}
+
+void take_mean(std::span<float> pixel, int samples) {
+  const int alpha = alpha_channel(static_cast<int>(pixel.size()));
+  const float seen = alpha >= 0 ? pixel[alpha] : static_cast<float>(samples);
+  for (int c = 0; c < static_cast<int>(pixel.size()); ++c)
+    if (c == alpha)
+      pixel[c] /= static_cast<float>(samples);
+    else if (seen > 0)
+      pixel[c] /= seen;
+}
+
+int64_t samples_taken(const RenderSettings& s, int64_t pixels, int64_t resampled) {
+  return takes_edge_samples(s) ? pixels + resampled * (s.samples - 1) : pixels * s.samples;
 }
 
 NextFrame sampled(NextFrame next, int samples) {
@@ -67,7 +64,9 @@ DeliverFrame averaged(DeliverFrame deliver, int samples) {
       sum.stats.add(frame.stats);
     }
     if (state->taken < samples) return;
-    take_mean(sum.picture, samples);
+    Image& picture = sum.picture;
+    for (size_t first = 0; first < picture.data.size(); first += picture.channels)
+      take_mean(std::span(&picture.data[first], picture.channels), samples);
     state->taken = 0;
     deliver(std::move(sum));
   };

@@ -44,6 +44,18 @@ void require_method_takes(Method method, ShadowMode shadows) {
                 name_of(shadows), method == Method::raster ? "none, map" : "none, rays");
 }
 
+bool takes_edge_samples(const RenderSettings& s) { return s.adaptive && s.samples > 1; }
+
+void require_adaptive_fits(const RenderSettings& s) {
+  if (s.adaptive && s.samples == 1)
+    throw error(ErrorKind::usage, "--adaptive needs the number of samples that edges get: --samples 8, for instance");
+  if (takes_edge_samples(s) && uses_shadow_map(s))
+    throw error(ErrorKind::usage,
+                "--adaptive does not go with --shadows {}: rays take the samples at edges, and they do not see shadow "
+                "maps; use --shadows exact, rays or none, or leave out --adaptive",
+                name_of(s.shadows));
+}
+
 ShadowMode default_shadows(Method method) {
   switch (method) {
     case Method::hybrid: return ShadowMode::exact;

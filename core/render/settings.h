@@ -75,6 +75,7 @@ struct RenderSettings {
   ShadowWarp shadow_warp = ShadowWarp::lispsm;
   int reflection_depth = 4;  ///< generations after the primary one
   int samples = 1;           ///< samples per pixel, averaged
+  bool adaptive = false;     ///< only the first, where no edges are (edge_samples.h)
   Accel accel = Accel::embree;
   int frames_in_flight = 2;
   uint32_t aovs = 0;                     ///< Aov bits
@@ -95,6 +96,12 @@ bool renders_part(const RenderSettings& settings);
 
 /// Whether frames are drawn by OpenGL.
 bool uses_gl(const RenderSettings& settings);
+
+/// Whether pixels near edges have more samples than the others.
+bool takes_edge_samples(const RenderSettings& settings);
+
+/// Throws Error(usage) for `adaptive` with a single sample, or with shadow maps: rays take its samples, which see none.
+void require_adaptive_fits(const RenderSettings& settings);
 
 /// Whether frames have a shadow map.
 bool uses_shadow_map(const RenderSettings& settings);

@@ -3,42 +3,21 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/timing.h"
+#include "core/base/check.h"
 #include "core/passes_cpu/mark_boundary.h"
 #include "core/trace/surface_at.h"
 #include "core/trace/texture_lookup.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
-namespace {
-
-/// Adds the time since the last call to a pass.
-class PassClock {
- public:
-  explicit PassClock(PassTimes& times_ms) : times_ms_(times_ms) {}
-  /// Returns what it adds.
-  double charge(PassId pass) {
-    const double ms = watch_.elapsed_ms();
-    times_ms_[static_cast<size_t>(pass)] += ms;
-    watch_.restart();
-    return ms;
-  }
-
- private:
-  PassTimes& times_ms_;
-  Stopwatch watch_;
-};
-
-}  // namespace
-
-TileWorker::TileWorker(const TileJob& job, TileRaster& raster)
+TileWorker::TileWorker(const TileJob& job, TileRaster* raster)
     : job_(job), scene_(job.trace.scene), raster_(raster), generations_(job.trace, job.caster) {}
 
 void TileWorker::render(int tile) {
   PassClock clock(times_ms_);
-  raster_.draw(scene_, job_.clusters, job_.bins, tile);
+  raster_->draw(scene_, job_.clusters, job_.bins, tile);
   clock.charge(PassId::id);
-  const DepthTile& seen = raster_.depth();
+  const DepthTile& seen = raster_->depth();
   seen_ = {seen.triangle, seen.x_px, seen.y_px, kTileStride};
   const int x_end = seen.x_px + seen.width_px, y_end = seen.y_px + seen.height_px;
   for (int y = seen.y_px; y < y_end; y += kPart_px)
@@ -49,40 +28,79 @@ void TileWorker::render(int tile) {
 void TileWorker::render_by_rays(const Tile& part) {
   PassClock clock(times_ms_);
   const View& view = job_.plan.view;
-  const vec3 eye(view.eye);
-  primary_.clear(), primary_pixels_.clear();
-  part.for_each_pixel_in_blocks([&](int x, int y, uint32_t in_part) {
-    primary_.push_back({eye, vec3(glm::normalize(view.pixel_dir(x, y)))});
-    primary_pixels_.push_back(in_part);
-  });
+  primary_.clear(), primary_places_.clear();
+  part.for_each_pixel_in_blocks([&](int x, int y, uint32_t in_part) { add_primary(view, x, y, in_part); });
+  find_triangles();
+  clock.charge(PassId::id);
+  seen_ = {primary_triangles_.data(), part.x0, part.y0, static_cast<int>(part.width())};
+  render_part(part.x0, part.y0, part.x1, part.y1);
+}
+
+void TileWorker::add_primary(const View& view, int x, int y, uint32_t place) {
+  primary_.push_back({vec3(view.eye), vec3(glm::normalize(view.pixel_dir(x, y)))});
+  primary_places_.push_back(place);
+}
+
+/// Fills primary_triangles_.
+void TileWorker::find_triangles() {
   hits_.resize(primary_.size());
   job_.caster->closest_hits(primary_, hits_);
   primary_triangles_.resize(primary_.size());
   for (size_t i = 0; i < hits_.size(); ++i)
-    primary_triangles_[primary_pixels_[i]] = hits_[i].found() ? hits_[i].triangle : kNoTriangle;
+    primary_triangles_[primary_places_[i]] = hits_[i].found() ? hits_[i].triangle : kNoTriangle;
+}
+
+std::span<const uint32_t> TileWorker::find_triangles(const View& view, std::span<const PixelAt> pixels) {
+  PassClock clock(times_ms_);
+  primary_.clear(), primary_places_.clear();
+  for (size_t i = 0; i < pixels.size(); ++i) add_primary(view, pixels[i].x, pixels[i].y, static_cast<uint32_t>(i));
+  find_triangles();
   clock.charge(PassId::id);
-  seen_ = {primary_triangles_.data(), part.x0, part.y0, static_cast<int>(part.width())};
-  render_part(part.x0, part.y0, part.x1, part.y1);
+  return primary_triangles_;
+}
+
+void TileWorker::render_pixels(const View& view, std::span<const PixelAt> pixels, std::span<const uint32_t> triangles,
+                               std::span<vec4> colors) {
+  PassClock clock(times_ms_);
+  HRT_CHECK(pixels.size() <= kMostPixels);
+  points_.count = 0;
+  for (size_t i = 0; i < pixels.size(); ++i) {
+    colors[i] = background();
+    if (triangles[i] != kNoTriangle) add_point(pixels[i].x, pixels[i].y, triangles[i], static_cast<uint32_t>(i));
+  }
+  scattered_ = false;
+  render_points(view, clock);
+  for (int i = 0; i < points_.count; ++i) colors[places_[i]] = vec4(colors_[0][i], colors_[1][i], colors_[2][i], 1);
+  if (!scattered_) return;
+  generations_.run(traced_, {}, stats_);
+  for (size_t i = 0; i < pixels.size(); ++i) colors[i] += vec4(traced_[i], 0);
+  clock.charge(PassId::trace);
+}
+
+void TileWorker::render_pixels_of_tile(const View& view, int tile, std::span<const PixelAt> pixels,
+                                       std::span<vec4> colors) {
+  PassClock clock(times_ms_);
+  raster_->draw(scene_, job_.clusters, job_.bins, tile, pixels);
+  clock.charge(PassId::id);
+  const DepthTile& seen = raster_->depth();
+  std::array<uint32_t, kMostPixels> triangles;
+  for (size_t first = 0; first < pixels.size(); first += kMostPixels) {
+    const std::span<const PixelAt> some = pixels.subspan(first, std::min(kMostPixels, pixels.size() - first));
+    std::ranges::transform(some, triangles.begin(), [&](PixelAt at) {
+      return seen.triangle[(at.y - seen.y_px) * kTileStride + at.x - seen.x_px];
+    });
+    render_pixels(view, some, triangles, colors.subspan(first, some.size()));
+  }
 }
 
 void TileWorker::render_part(int x0, int y0, int x1, int y1) {
   PassClock clock(times_ms_);
   scattered_ = false;
   for (int y = y0; y < y1; y += kBatchRows) {
-    take_points(x0, y, x1, std::min(y + kBatchRows, y1));
-    if (points_.count == 0) continue;
-    find_points(scene_, job_.plan.view, job_.trace.lights, points_);
-    clock.charge(PassId::mark);
-    light_points();
-    const double lighting_ms = clock.charge(job_.plan.trace_shadows ? PassId::trace : PassId::mark);
-    if (job_.plan.trace_shadows) stats_.shadow_cpu_ms += lighting_ms;
-    shade(job_.trace, points_, lit_, colors_);
+    take_points(x0, y, x1, std::min(y + kBatchRows, y1), y0);
+    render_points(job_.plan.view, clock);
     keep_colors();
     clock.charge(PassId::shade);
-    if (job_.plan.trace_scattered) {
-      scatter_points(x0, y0);
-      clock.charge(PassId::trace);
-    }
   }
   if (!scattered_) return;
   generations_.run(traced_, {}, stats_);
@@ -90,28 +108,51 @@ void TileWorker::render_part(int x0, int y0, int x1, int y1) {
   clock.charge(PassId::trace);
 }
 
+/// Passes 3 to 5 of the points, but for the rays that they send, which wait. Fills colors_.
+void TileWorker::render_points(const View& view, PassClock& clock) {
+  if (points_.count == 0) return;
+  prefetch_all_corners();
+  find_points(scene_, view, job_.trace.lights, points_);
+  clock.charge(PassId::mark);
+  light_points();
+  const double lighting_ms = clock.charge(job_.plan.trace_shadows ? PassId::trace : PassId::mark);
+  if (job_.plan.trace_shadows) stats_.shadow_cpu_ms += lighting_ms;
+  shade(job_.trace, view, points_, lit_, colors_);
+  stats_.pixels_hit += points_.count;
+  for (int i = 0; i < points_.count; ++i) stats_.pixels_lit += lit_[i] != 0;
+  clock.charge(PassId::shade);
+  if (!job_.plan.trace_scattered) return;
+  scatter_points(view);
+  clock.charge(PassId::trace);
+}
+
+vec4 TileWorker::background() const {
+  return job_.pixels.picture.channels == 4 ? vec4(0) : vec4(job_.trace.background, 0);
+}
+
 /// Takes the pixels that see a triangle; the others show the background.
-void TileWorker::take_points(int x0, int y0, int x1, int y1) {
-  const bool has_alpha = job_.pixels.picture.channels == 4;
-  const vec4 background = has_alpha ? vec4(0) : vec4(job_.trace.background, 0);
+void TileWorker::take_points(int x0, int y0, int x1, int y1, int part_y0) {
+  const vec4 unseen = background();
   points_.count = 0;
-  uint32_t last = kNoTriangle;
   for (int y = y0; y < y1; ++y) {
     const uint32_t* const row = seen_.triangles + (y - seen_.y_px) * seen_.stride - seen_.x_px;
+    const int row_place = (y - part_y0) * kPart_px - x0;
     for (int x = x0; x < x1; ++x) {
       if (!job_.pixels.ids.empty()) job_.pixels.ids[index_of(x, y)] = row[x];
-      if (row[x] == kNoTriangle) {
-        std::copy_n(&background.x, has_alpha ? 4 : 3, pixel(x, y));
-        continue;
-      }
-      if (row[x] != std::exchange(last, row[x])) prefetch(row[x]);
-      points_.x[points_.count] = x, points_.y[points_.count] = y;
-      points_.triangle[points_.count++] = row[x];
+      if (row[x] != kNoTriangle)
+        add_point(x, y, row[x], row_place + x);
+      else
+        std::copy_n(&unseen.x, job_.pixels.picture.channels, pixel(x, y));
     }
   }
-  stats_.pixels_hit += points_.count;
-  for (int i = 0; i < points_.count; ++i)
-    if (points_.triangle[i] != std::exchange(last, points_.triangle[i])) prefetch_corners(points_.triangle[i]);
+}
+
+void TileWorker::add_point(int x, int y, uint32_t triangle, uint32_t place) {
+  const int i = points_.count++;
+  if (i == 0 || points_.triangle[i - 1] != triangle) prefetch(triangle);
+  points_.x[i] = x, points_.y[i] = y;
+  points_.triangle[i] = triangle;
+  places_[i] = place;
 }
 
 /// A triangle's data lie anywhere in memory: they are fetched while others are worked on, first what names its corners.
@@ -119,6 +160,10 @@ void TileWorker::prefetch(uint32_t triangle) const {
   __builtin_prefetch(&scene_.triangle_positions[triangle]);
   __builtin_prefetch(&scene_.triangle_normals[triangle]);
   __builtin_prefetch(&scene_.triangle_materials[triangle]);
+}
+void TileWorker::prefetch_all_corners() const {
+  for (int i = 0; i < points_.count; ++i)
+    if (i == 0 || points_.triangle[i - 1] != points_.triangle[i]) prefetch_corners(points_.triangle[i]);
 }
 void TileWorker::prefetch_corners(uint32_t triangle) const {
   for (int k = 0; k < 3; ++k) {
@@ -132,7 +177,6 @@ void TileWorker::keep_colors() {
   for (int i = 0; i < points_.count; ++i) {
     const vec4 color(colors_[0][i], colors_[1][i], colors_[2][i], 1);
     std::copy_n(&color.x, channels, pixel(points_.x[i], points_.y[i]));
-    stats_.pixels_lit += lit_[i] != 0;
   }
 }
 
@@ -192,8 +236,7 @@ void TileWorker::keep_masks(size_t light) {
 }
 
 /// Queues the rays that the points reflect and refract.
-void TileWorker::scatter_points(int part_x0, int part_y0) {
-  const View& view = job_.plan.view;
+void TileWorker::scatter_points(const View& view) {
   for (int i = 0; i < points_.count; ++i) {
     const uint32_t triangle = points_.triangle[i];
     const Material& material = scene_.material_of(triangle);
@@ -210,8 +253,7 @@ void TileWorker::scatter_points(int part_x0, int part_y0) {
       if (material.texture_maps != 0)
         reflect = textured_colors(scene_, triangle, points_.u[i], points_.v[i], dir, solid_angle, distance).reflect;
     }
-    const auto in_part = static_cast<uint32_t>((points_.y[i] - part_y0) * kPart_px + points_.x[i] - part_x0);
-    generations_.add_scattered(in_part, surface, reflect, dir, distance, solid_angle, stats_);
+    generations_.add_scattered(places_[i], surface, reflect, dir, distance, solid_angle, stats_);
   }
 }
 

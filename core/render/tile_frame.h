@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/image/image.h"
 #include "core/passes_cpu/shade.h"
 #include "core/raster/visibility.h"
 #include "core/render/frame_plan.h"
-#include "core/render/frame_timings.h"
+#include "core/render/pass_clock.h"
 #include "core/trace/ray_generations.h"
 #include "core/trace/seen_points.h"
 #include "core/trace/tile.h"
@@ -33,14 +32,11 @@ struct TileJob {
   TilePixels pixels;
 };
 
-/// Milliseconds of one thread, by PassId.
-using PassTimes = std::array<double, static_cast<size_t>(PassId::count)>;
-
 /// One thread's work on the tiles of a frame.
 class TileWorker {
  public:
-  /// `raster` is memory that outlives the frame.
-  TileWorker(const TileJob& job, TileRaster& raster);
+  /// `raster` is memory that outlives the frame; null if only rays find triangles.
+  TileWorker(const TileJob& job, TileRaster* raster);
 
   /// Passes 2 to 5 of one tile of the rasteriser.
   void render(int tile);
@@ -48,6 +44,17 @@ class TileWorker {
   /// The same of at most kPart_px x kPart_px pixels whose triangles primary rays find, for method raytrace: what a
   /// rasteriser saves is then the only difference.
   void render_by_rays(const Tile& part);
+
+  // The same of some pixels, at most kMostPixels at once. `view`: the job's, at any sample.
+
+  /// Which triangles rays find there, or kNoTriangle. Valid until the next call.
+  std::span<const uint32_t> find_triangles(const View& view, std::span<const PixelAt> pixels);
+  /// `triangles`: what they see. `colors`: linear, and alpha 1 where a surface is seen, else 0.
+  void render_pixels(const View& view, std::span<const PixelAt> pixels, std::span<const uint32_t> triangles,
+                     std::span<vec4> colors);
+  /// Both, of any number of pixels in a tile of the job's bins, which must be those of `view`: the rasteriser finds.
+  void render_pixels_of_tile(const View& view, int tile, std::span<const PixelAt> pixels, std::span<vec4> colors);
+  static constexpr size_t kMostPixels = SeenPoints::kMost;
 
   static constexpr int kPart_px = 32;  ///< parts of a tile that trace their rays together
 
@@ -63,14 +70,20 @@ class TileWorker {
     int x_px, y_px, stride;
   };
 
+  void add_primary(const View& view, int x, int y, uint32_t place);
+  void find_triangles();
   void render_part(int x0, int y0, int x1, int y1);
+  void render_points(const View& view, PassClock& clock);
+  vec4 background() const;
   void prefetch(uint32_t triangle) const;
   void prefetch_corners(uint32_t triangle) const;
-  void take_points(int x0, int y0, int x1, int y1);
+  void take_points(int x0, int y0, int x1, int y1, int part_y0);
+  void add_point(int x, int y, uint32_t triangle, uint32_t place);
+  void prefetch_all_corners() const;
   void light_points();
   void ask_light(size_t light);
   void keep_masks(size_t light);
-  void scatter_points(int part_x0, int part_y0);
+  void scatter_points(const View& view);
   void add_traced(int x0, int y0, int x1, int y1);
   void keep_colors();
   float* pixel(int x, int y) const { return &job_.pixels.picture.data[index_of(x, y) * job_.pixels.picture.channels]; }
@@ -78,16 +91,17 @@ class TileWorker {
 
   const TileJob& job_;
   const Scene& scene_;
-  TileRaster& raster_;
+  TileRaster* raster_;
   RayGenerations<float> generations_;
   SeenPoints points_;
-  std::vector<uint8_t> lit_;  ///< per point: bit l is set where light l arrives
+  std::vector<uint8_t> lit_;            ///< per point: bit l is set where light l arrives
+  uint32_t places_[SeenPoints::kRoom];  ///< per point: its pixel's place in the part
   float colors_[3][SeenPoints::kRoom];
   SeenTriangles seen_{};
 
   // Of the part at hand.
   std::vector<Ray<float>> primary_;
-  std::vector<uint32_t> primary_pixels_, primary_triangles_;
+  std::vector<uint32_t> primary_places_, primary_triangles_;
   std::vector<Hit<float>> hits_;
   std::vector<vec3> traced_;
   bool scattered_ = false;  ///< whether any of its points sent rays

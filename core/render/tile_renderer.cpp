@@ -1,12 +1,12 @@
 #include "core/render/tile_renderer.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include "core/base/check.h"
 #include "core/base/timing.h"
 #include "core/render/aov.h"
+#include "core/render/frame_edges.h"
 #include "core/render/kept_light_buffers.h"
 #include "core/render/tile_frame.h"
 #include "shaders/shared.h"
@@ -20,6 +20,7 @@ struct FrameMemory {
   std::vector<uint32_t> ids;
   std::vector<uint8_t> mask, lit;
   RasterMemory raster;
+  EdgeMemory edges;
 
   /// Arrays for a frame of so many pixels; those that only AOVs show are empty where no AOV asks for them.
   TilePixels pixels_for(const FramePlan& plan, uint32_t aovs, Image& picture) {
@@ -32,14 +33,6 @@ struct FrameMemory {
     return {picture, ids, mask, lit, traced};
   }
 };
-
-/// The threads' time of each pass, and that time shared out over the wall time that they took together.
-void set_timings(FrameTimings& timings, const PassTimes& threads_ms, double wall_ms) {
-  const double sum = std::accumulate(threads_ms.begin(), threads_ms.end(), 0.0);
-  timings.threads_ms = threads_ms;
-  if (sum <= 0) return;
-  for (size_t pass = 0; pass < threads_ms.size(); ++pass) timings.pass_ms[pass] += threads_ms[pass] / sum * wall_ms;
-}
 
 int parts_across(const View& view) { return (view.width_px + TileWorker::kPart_px - 1) / TileWorker::kPart_px; }
 
@@ -65,7 +58,7 @@ class TileRenderer {
         by_rays_(settings.method == Method::raytrace),
         light_buffers_(scene, topology, pool) {
     if (!by_rays_) clusters_ = make_clusters(scene, pool);
-    memory_.raster.tiles.resize(pool.size());
+    if (!by_rays_) memory_.raster.tiles.resize(pool.size());
   }
 
   Frame render(const FrameRequest& request) {
@@ -81,6 +74,9 @@ class TileRenderer {
     }
     frame.picture = Image::uninitialized(plan.view.width_px, plan.view.height_px, settings_.alpha ? 4 : 3);
     draw(plan, trace, frame);
+    if (takes_edge_samples(settings_))
+      sample_frame_edges(plan, trace, settings_,
+                         {*caster_, by_rays_ ? nullptr : &clusters_, memory_.raster, memory_.edges}, pool_, frame);
     frame.aovs = make_aovs(scene_, plan.view, kept_of_rendered(settings_),
                            {plan.lights, memory_.ids, memory_.mask, memory_.lit, memory_.traced}, settings_.aovs);
     return frame;
@@ -94,7 +90,7 @@ class TileRenderer {
     const TileJob job{plan, trace, clusters_, bins, caster_, memory_.pixels_for(plan, settings_.aovs, frame.picture)};
     std::vector<std::optional<TileWorker>> workers(pool_.size());
     pool_.run(by_rays_ ? part_count(plan.view) : bins.order.size(), [&](size_t i, int worker) {
-      if (!workers[worker]) workers[worker].emplace(job, memory_.raster.tiles[worker]);
+      if (!workers[worker]) workers[worker].emplace(job, by_rays_ ? nullptr : &memory_.raster.tiles[worker]);
       if (by_rays_)
         workers[worker]->render_by_rays(part_of_picture(plan.view, i));
       else
@@ -106,7 +102,7 @@ class TileRenderer {
       frame.stats.add(worker->stats());
       for (size_t pass = 0; pass < threads_ms.size(); ++pass) threads_ms[pass] += worker->times_ms()[pass];
     }
-    set_timings(frame.timings, threads_ms, drawing.elapsed_ms());
+    add_threads_times(frame.timings, threads_ms, drawing.elapsed_ms());
   }
 
   const Scene& scene_;

@@ -5,6 +5,11 @@
 
 namespace hybridrt {
 
+/// A pixel of a picture, row 0 on top.
+struct PixelAt {
+  int x = 0, y = 0;
+};
+
 /// A rectangle of a picture.
 struct Tile {
   int x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1)

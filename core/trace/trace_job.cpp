@@ -4,6 +4,7 @@ namespace hybridrt {
 
 void TraceStats::add(const TraceStats& other) {
   pixels_hit += other.pixels_hit;
+  pixels_resampled += other.pixels_resampled;
   pixels_lit += other.pixels_lit;
   pixels_marked += other.pixels_marked;
   pixels_reflective += other.pixels_reflective;

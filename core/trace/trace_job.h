@@ -48,6 +48,8 @@ struct TraceStats {
   int64_t pixels_suspect = 0, pixels_repaired = 0;  ///< see RepairStats
   double repair_ms = 0;                             ///< wall time of that
 
+  int64_t pixels_resampled = 0;  ///< those near edges, which have all samples (sample_edges)
+
   int64_t pixels_lit = 0;  ///< those of pixels_hit at which some light arrives
 
   void add(const TraceStats& other);

@@ -82,7 +82,7 @@ class Painter {
     }
     for (int i = points_.count; points_.count > 0 && i < kPacket; ++i) points_.triangle[i] = points_.triangle[0];
     float colors[3][SeenPoints::kRoom];
-    hybridrt::shade(job_, points_, {lit, sizeof(lit)}, colors);
+    hybridrt::shade(job_, job_.view, points_, {lit, sizeof(lit)}, colors);
 
     for (int lane = 0; lane < kPacket; ++lane) {
       if (!valid[lane]) continue;

@@ -35,6 +35,19 @@ class AlphaTest(CliTestCase):
         background = self.png("--alpha", "--samples", "4", "--background", "9,0,0")
         self.assertTrue(all(background.pixel(x, y)[3] == cut.pixel(x, y)[3] for y in range(72) for x in range(96)))
 
+    def test_samples_at_edges_only(self):
+        one, every, adaptive = self.png(), self.png("--samples", "8"), self.png("--samples", "8", "--adaptive")
+        places = [(x, y) for y in range(one.height) for x in range(one.width)]
+        for x, y in places:
+            self.assertIn(adaptive.pixel(x, y), (one.pixel(x, y), every.pixel(x, y)))
+        smoothed = sum(adaptive.pixel(x, y) != one.pixel(x, y) for x, y in places)
+        self.assertGreater(smoothed, len(places) // 100)
+        off = sum(max(abs(a - b) for a, b in zip(adaptive.pixel(x, y), every.pixel(x, y))) > 6 for x, y in places)
+        self.assertLess(off, len(places) // 1000)
+        self.fail_with(2, "render", SCENE, *SMALL, "--adaptive", "-o", "a.png", says=("--adaptive", "--samples 8"))
+        self.fail_with(2, "render", SCENE, *SMALL, "--adaptive", "--samples", "4", "--shadows", "blur", "-o", "a.png",
+                       says=("--adaptive", "--shadows blur", "--shadows exact"))
+
     def test_formats_without_alpha_are_refused(self):
         self.fail_with(2, "render", SCENE, *SMALL, "--alpha", "-o", "a.jpg", says=("a.jpg", "--alpha", ".png"))
         self.assertEqual(self.files(), [])

@@ -66,6 +66,7 @@ class ResumeTest(CliTestCase):
         self.render(frames=2)
         for change in (("--light", "1,2,3"), ("--fov", "30"), ("--method", "raytrace"), ("--shadows", "rays"),
                        ("--reflection-depth", "1"), ("--size", "50x40"), ("--background", "1,0,0"), ("--samples", "2"),
+                       ("--samples", "2", "--adaptive"),
                        ("--alpha",), ("--ground",), ("--accel", "kdtree"), ("--reflection-percent", "50"), ("--gl", "egl"),
                        ("--up-axis", "y", "--crop", "1,2,9,9")):
             with self.subTest(change=change):

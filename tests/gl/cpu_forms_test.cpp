@@ -117,6 +117,28 @@ TEST_P(CpuForms, DrawWhatTheGlFormsDraw) {
   }
 }
 
+TEST(CpuFormsAtEdges, SamplesAreTheSame) {
+  std::string why;
+  if (!has_context({}, &why)) GTEST_SKIP() << why;
+  for (const ShadowMode shadows : {ShadowMode::exact, ShadowMode::none}) {
+    RenderJob job = orbit_job("scene:chess,triangles=20000", 2, 320, 240);
+    job.settings.shadows = shadows;
+    job.settings.samples = 8, job.settings.adaptive = true;
+    const std::vector<Frame> gl = render_all(job);
+    job.settings.forms = PassForms::cpu;
+    const std::vector<Frame> cpu = render_all(job, nullptr, 2);
+    ASSERT_EQ(gl.size(), 2u);
+    for (size_t f = 0; f < gl.size(); ++f) {
+      size_t differ = 0;
+      for (size_t i = 0; i < gl[f].picture.data.size(); ++i)
+        differ += std::abs(gl[f].picture.data[i] - cpu[f].picture.data[i]) > 1.0f / 255;
+      EXPECT_LE(differ, gl[f].picture.data.size() / 1000) << name_of(shadows);
+      EXPECT_NEAR(gl[f].stats.pixels_resampled, cpu[f].stats.pixels_resampled, 20);
+      EXPECT_GT(gl[f].stats.pixels_resampled, 1000);
+    }
+  }
+}
+
 constexpr const char* kChess = "scene:chess,triangles=20000";
 constexpr const char* kSpheres = "scene:spheres,triangles=8000,reflective=30";
 constexpr const char* kThin = "scene:thin,triangles=20000";

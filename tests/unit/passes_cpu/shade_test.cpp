@@ -82,7 +82,7 @@ void expect_as_one_by_one(const Scene& scene) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     static float colors[3][SeenPoints::kRoom];
-    shade(job, points, lit, colors);
+    shade(job, view, points, lit, colors);
     for (int i = 0; i < kPoints; ++i) {
       const vec3 expected = shaded_alone(job, points, i, lit[i]);
       for (int k = 0; k < 3; ++k) {
