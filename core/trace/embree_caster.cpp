@@ -8,6 +8,7 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/base/start_thread.h"
+#include "core/trace/coincident.h"
 #include "core/trace/embree_handles.h"
 #include "core/trace/holes.h"
 #include "core/trace/triangle.h"
@@ -17,7 +18,8 @@ namespace {
 
 class EmbreeCaster final : public RayCaster<float> {
  public:
-  EmbreeCaster(const Scene& scene, int threads, EmbreeRays going) : going_(going) {
+  EmbreeCaster(const Scene& scene, int threads, EmbreeRays going)
+      : going_(going), coincident_(find_coincident(scene)) {
     HRT_CHECK(threads >= 1);
     if (scene.has_holes()) holes_ = scene.textures;
     require_threads(threads + 1);  // its own: it aborts where they cannot be started
@@ -44,7 +46,7 @@ class EmbreeCaster final : public RayCaster<float> {
       query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
       rtcIntersect1(scene_.get(), &context, &query);
       if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
-        hits[i] = {query.ray.tfar, query.hit.u, query.hit.v, scene_triangle(query.hit.primID)};
+        hits[i] = hit_of(query.ray.tfar, query.hit.u, query.hit.v, query.hit.primID, rays[i].dir);
     }
   }
 
@@ -78,7 +80,7 @@ class EmbreeCaster final : public RayCaster<float> {
       for (size_t i = 0; i < count; ++i)
         hits[first + i] =
             valid[i] && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID
-                ? Hit<float>{packet.ray.tfar[i], packet.hit.u[i], packet.hit.v[i], scene_triangle(packet.hit.primID[i])}
+                ? hit_of(packet.ray.tfar[i], packet.hit.u[i], packet.hit.v[i], packet.hit.primID[i], rays[first + i].dir)
                 : Hit<float>{};
     }
   }
@@ -113,7 +115,9 @@ class EmbreeCaster final : public RayCaster<float> {
 
   void attach_triangles(const Scene& scene) {
     std::vector<uvec3> kept;
+    HiddenTriangles hidden(coincident_);
     for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
+      if (hidden.holds(i)) continue;
       if (is_degenerate(scene.vertex(i, 0), scene.vertex(i, 1), scene.vertex(i, 2))) continue;
       kept.push_back(scene.triangle_positions[i]);
       triangle_of_primitive_.push_back(i);
@@ -162,7 +166,14 @@ class EmbreeCaster final : public RayCaster<float> {
     return triangle_of_primitive_.empty() ? primitive : triangle_of_primitive_[primitive];
   }
 
+  /// Embree answers ties at random; this is NearestHit's answer.
+  Hit<float> hit_of(float t, float u, float v, uint32_t primitive, const vec3& dir) const {
+    const TriangleAt shown = winner_of_tie(coincident_, holes_.get(), {scene_triangle(primitive), u, v}, dir);
+    return {t, shown.u, shown.v, shown.triangle};
+  }
+
   const EmbreeRays going_;
+  CoincidentTriangles coincident_;
   EmbreeHandle<RTCDevice> device_;
   EmbreeHandle<RTCScene> scene_;
   std::vector<uint32_t> triangle_of_primitive_;  ///< empty: the same numbers

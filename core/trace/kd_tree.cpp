@@ -7,6 +7,7 @@
 
 #include "core/base/check.h"
 #include "core/trace/kd_clip.h"
+#include "core/trace/coincident.h"
 #include "core/trace/kd_split.h"
 #include "core/trace/kd_subtree.h"
 #include "core/trace/triangle.h"
@@ -41,7 +42,10 @@ struct TopTree {
 std::vector<KdReference> make_references(const Scene& scene) {
   std::vector<KdReference> refs;
   refs.reserve(scene.triangle_count());
+  const CoincidentTriangles coincident = find_coincident(scene);
+  HiddenTriangles hidden(coincident);
   for (uint32_t triangle = 0; triangle < scene.triangle_count(); ++triangle) {
+    if (hidden.holds(triangle)) continue;
     const vec3 a = scene.vertex(triangle, 0), b = scene.vertex(triangle, 1), c = scene.vertex(triangle, 2);
     if (is_degenerate(a, b, c)) continue;
     refs.push_back({{glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))}, triangle});
