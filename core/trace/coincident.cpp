@@ -31,9 +31,7 @@ uint64_t hash_of(const Scene& scene, uint32_t triangle) {
   return hash_of(c[0]) + hash_of(c[1]) + hash_of(c[2]);
 }
 
-bool is_less(const vec3& a, const vec3& b) {
-  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-}
+bool is_less(const vec3& a, const vec3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
 
 /// A triangle that may have others on it.
 struct Candidate {

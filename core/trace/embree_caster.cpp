@@ -18,8 +18,7 @@ namespace {
 
 class EmbreeCaster final : public RayCaster<float> {
  public:
-  EmbreeCaster(const Scene& scene, int threads, EmbreeRays going)
-      : going_(going), coincident_(find_coincident(scene)) {
+  EmbreeCaster(const Scene& scene, int threads, EmbreeRays going) : going_(going), coincident_(find_coincident(scene)) {
     HRT_CHECK(threads >= 1);
     if (scene.has_holes()) holes_ = scene.textures;
     require_threads(threads + 1);  // its own: it aborts where they cannot be started
@@ -78,10 +77,10 @@ class EmbreeCaster final : public RayCaster<float> {
       std::fill_n(packet.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
       rtcIntersect16(valid, scene_.get(), &context, &packet);
       for (size_t i = 0; i < count; ++i)
-        hits[first + i] =
-            valid[i] && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID
-                ? hit_of(packet.ray.tfar[i], packet.hit.u[i], packet.hit.v[i], packet.hit.primID[i], rays[first + i].dir)
-                : Hit<float>{};
+        hits[first + i] = valid[i] && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID
+                              ? hit_of(packet.ray.tfar[i], packet.hit.u[i], packet.hit.v[i], packet.hit.primID[i],
+                                       rays[first + i].dir)
+                              : Hit<float>{};
     }
   }
 

@@ -12,11 +12,11 @@ namespace hybridrt {
 enum class EmbreeRays { single, packets };
 
 /// Embree 3 behind the same interface: robust intersections, high build quality. The build uses up to `threads` >= 1
-/// threads. Zero-area triangles are left out, as in the kd-tree; of triangles with the same corners NearestHit's is reported; of
-/// other hits at the same t any may be. Not
-/// quite watertight: about one in 600 rays aimed exactly at a vertex slips through (Embree 3.13.5). Needs t_min >= 0
-/// and coordinates below 1e18. The scene is copied (its textures are shared, if they have holes) and need not outlive
-/// the caster. Throws Error (device) with Embree's own message, std::bad_alloc.
+/// threads. Zero-area triangles are left out, as in the kd-tree; of triangles with the same corners NearestHit's is
+/// reported; of other hits at the same t any may be. Not quite watertight: about one in 600 rays aimed exactly at a
+/// vertex slips through (Embree 3.13.5). Needs t_min >= 0 and coordinates below 1e18. The scene is copied (its textures
+/// are shared, if they have holes) and need not outlive the caster. Throws Error (device) with Embree's own message,
+/// std::bad_alloc.
 std::unique_ptr<RayCaster<float>> make_embree_caster(const Scene& scene, int threads,
                                                      EmbreeRays going = EmbreeRays::packets);
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/trace/kd_clip.h"
 #include "core/trace/coincident.h"
+#include "core/trace/kd_clip.h"
 #include "core/trace/kd_split.h"
 #include "core/trace/kd_subtree.h"
 #include "core/trace/triangle.h"

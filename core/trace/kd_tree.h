@@ -61,10 +61,11 @@ static_assert(sizeof(KdTriangle) == 48);
 /// it was built from (it holds copies of the corners, and shares the textures if they have holes). Never more than 120
 /// bytes per triangle.
 struct KdTree {
-  Aabb bounds;                            ///< box of the triangles that can be hit; empty without any
-  std::vector<KdNode> nodes;              ///< [0] is the root, [1] unused: siblings start at even indices
-  std::vector<uint32_t> leaf_triangles;   ///< indices into `triangles`, a range per leaf
-  std::vector<KdTriangle> triangles;      ///< in the order of the leaves; degenerate and hidden ones (coincident.h) are left out
+  Aabb bounds;                           ///< box of the triangles that can be hit; empty without any
+  std::vector<KdNode> nodes;             ///< [0] is the root, [1] unused: siblings start at even indices
+  std::vector<uint32_t> leaf_triangles;  ///< indices into `triangles`, a range per leaf
+  std::vector<KdTriangle>
+      triangles;  ///< in the order of the leaves; degenerate and hidden ones (coincident.h) are left out
   std::shared_ptr<const Textures> holes;  ///< asked at every hit; null where no triangle has holes
 };
 

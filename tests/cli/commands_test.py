@@ -9,7 +9,7 @@ import unittest
 from cli_test_case import SMALL, CliTestCase
 
 
-COMMANDS = ((), ("render",), ("compare",), ("golden",), ("golden", "check"), ("golden", "update"), ("scene",), ("inspect",),
+COMMANDS = ((), ("render",), ("compare",), ("golden",), ("golden", "check"), ("golden", "update"), ("golden", "init"), ("golden", "add"), ("scene",), ("inspect",),
             ("doctor",))
 
 

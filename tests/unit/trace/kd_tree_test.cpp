@@ -1,9 +1,9 @@
-#include "core/trace/coincident.h"
 #include "core/trace/kd_tree.h"
 
 #include <cstring>
 #include <gtest/gtest.h>
 
+#include "core/trace/coincident.h"
 #include "core/trace/triangle.h"
 #include "tests/support/trace_scenes.h"
 
