@@ -56,7 +56,10 @@ CaseJob make_job(const GoldenCase& golden, const GoldenOptions& given, RunFiles&
   const SceneSource source = scene_source_of(command_line);
   RenderOptions options = with_scene_settings(command_line, source);
   if (!given.gl.empty()) options.gl_use = parse_name("--gl", kGlUses, given.gl);
-  if (!given.device.empty()) options.gl.device = given.device;
+  if (!given.device.empty()) {
+    options.gl.device = given.device;
+    if (given.gl.empty()) options.gl_use = GlUse::automatic;  // a case's own --gl off says nothing of this device
+  }
   CaseJob made{std::make_unique<ThreadPool>(thread_count(options)), {}};
   Warnings warnings;
   made.job = make_render_job(options, source, *made.pool, warnings);
