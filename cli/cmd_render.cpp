@@ -13,6 +13,7 @@
 #include "cli/reporter.h"
 #include "cli/run_inputs.h"
 #include "cli/run_report.h"
+#include "cli/status_signal.h"
 #include "core/base/output_file.h"
 #include "core/base/timing.h"
 #include "core/mesh/topology_warnings.h"
@@ -32,6 +33,8 @@ void print_summary(const OutputOptions& output, const OutputPaths& paths, const 
 }
 
 ExitCode render(const RenderOptions& given, const OutputOptions& output, const std::vector<std::string>& command_line) {
+  show_status_on_signal();
+  set_status("loading the scene");
   Warnings warnings;
   RunTotals totals;
   const Stopwatch loading;
@@ -43,6 +46,7 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   RenderJob job = load_showing_progress(options, source, pool, warnings, output.quiet || output.json);
   topology_warnings(job.scene, job.topology, warnings);
   totals.load_ms = loading.elapsed_ms();
+  set_status("preparing the first frame");
   RunFiles files;
   add_files_read(options, source, files);
   add_files_read(job.scene, files);
@@ -68,6 +72,7 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
     writer.start(so_far);
     finishing.emplace();
     reporter.start(options, job, so_far);
+    set_status("rendering", totals.kept, job.frames.count());
     rendering.restart();
   };
   const auto deliver = [&](Frame&& frame) {
@@ -82,6 +87,7 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   };
   const RunFacts facts = run(job, pool, starting, stop_requested, deliver);
   totals.rendering_ms = rendering.elapsed_ms();
+  set_status("writing the last files", totals.frames + totals.kept, job.frames.count());
   writer.finish(totals);
   nlohmann::ordered_json report = run_report(options, job, threads, facts, totals, warnings);
   report.update(run_inputs(command_line, options, job, paths, there));
@@ -91,6 +97,18 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   reporter.end(totals, stop_requested());
   print_summary(output, paths, job, totals);
   return interrupted_or(ExitCode::ok);
+}
+
+/// With --json an error is an event too.
+ExitCode render_and_report(const RenderOptions& options, const OutputOptions& output,
+                           const std::vector<std::string>& command_line) {
+  try {
+    return render(options, output, command_line);
+  } catch (const Error& problem) {
+    const bool is_ours = output.pattern != "-" && output.timings != "-";  // standard output
+    if (output.json && is_ours && problem.kind() != ErrorKind::output) report_failure(problem);
+    throw;
+  }
 }
 
 }  // namespace
@@ -137,8 +155,9 @@ void add_render_command(CLI::App& app, const std::vector<std::string>& command_l
       "  hybridrt render scene:chess --size 1920x1080 --samples 8\n"
       "  hybridrt render car.obj --frames 1000 -o turn/car.####.png --resume\n"
       "  hybridrt render hall.json --camera walk.json --frames 1-240:10 --contact-sheet walk.png");
-  command->callback(
-      [options, output, command_line, &chosen] { chosen = [=] { return render(*options, *output, command_line); }; });
+  command->callback([options, output, command_line, &chosen] {
+    chosen = [=] { return render_and_report(*options, *output, command_line); };
+  });
 }
 
 }  // namespace hybridrt::cli

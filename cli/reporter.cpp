@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/interrupt.h"
+#include "cli/status_signal.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 
@@ -10,10 +12,21 @@ namespace hybridrt::cli {
 
 using json = nlohmann::ordered_json;
 
+namespace {
+
+void emit(const json& event) {
+  OutputFile file = OutputFile::standard_output();
+  file.write(event.dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
+  file.commit();
+}
+
+}  // namespace
+
 Reporter::Reporter(const OutputOptions& options, int64_t frames)
     : json_(options.json),
       quiet_(options.quiet),
       verbose_(options.verbose),
+      frames_(frames),
       progress_(frames, options.quiet || options.json) {}
 
 void Reporter::warnings(const Warnings& all) {
@@ -45,22 +58,32 @@ void Reporter::start(const RenderOptions& options, const RenderJob& job, const R
                               job.scene.triangle_count(), settings_line(job.settings), renderer, facts.ready_ms));
 }
 
-void Reporter::kept(int frame, const std::filesystem::path& path) {
+void Reporter::count() {
   progress_.frame_done();
+  set_status("rendering", ++done_, frames_);
+}
+
+void Reporter::kept(int frame, const std::filesystem::path& path) {
+  count();
   if (json_)
-    emit({{"event", "kept"}, {"frame", frame}, {"path", path.string()}});
+    emit({{"event", "kept"}, {"frame", frame}, {"path", path.string()}, {"done", done_}, {"of", frames_}});
   else if (verbose_)
     progress_.say(fmt::format("frame {}: kept {}", frame, path.string()));
 }
 
 void Reporter::frame(const Frame& frame, const std::filesystem::path& path) {
-  progress_.frame_done();
+  count();
   if (json_) {
     json timings;
     for (size_t i = 0; i < kPassNames.size() - 1; ++i)  // the last, writing, comes later
       timings[std::string(kPassNames[i]) + "_ms"] = frame.timings.pass_ms[i];
     timings["wall_ms"] = frame.timings.wall_ms;
-    emit({{"event", "frame"}, {"frame", frame.number}, {"path", path.string()}, {"timings", timings}});
+    emit({{"event", "frame"},
+          {"frame", frame.number},
+          {"path", path.string()},
+          {"done", done_},
+          {"of", frames_},
+          {"timings", timings}});
   } else if (verbose_) {
     progress_.say(fmt::format("frame {}: {:.1f} ms -> {}", frame.number, frame.timings.wall_ms, path.string()));
   }
@@ -72,13 +95,16 @@ void Reporter::end(const RunTotals& totals, bool stopped) {
           {"frames", totals.frames},
           {"kept", totals.kept},
           {"stopped", stopped},
+          {"state", stopped ? "stopped" : "done"},
+          {"exit_code", static_cast<int>(interrupted_or(ExitCode::ok))},
           {"frames_per_second", totals.frames_per_second()}});
 }
 
-void Reporter::emit(const json& event) {
-  OutputFile file = OutputFile::standard_output();
-  file.write(event.dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
-  file.commit();
+void report_failure(const Error& problem) {
+  emit({{"event", "end"},
+        {"state", "failed"},
+        {"exit_code", static_cast<int>(exit_code_of(problem.kind()))},
+        {"message", problem.what()}});
 }
 
 }  // namespace hybridrt::cli

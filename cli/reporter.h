@@ -7,6 +7,7 @@
 #include "cli/render_options.h"
 #include "cli/render_output.h"
 #include "cli/run_report.h"
+#include "core/base/error.h"
 
 namespace hybridrt::cli {
 
@@ -26,10 +27,16 @@ class Reporter {
   void end(const RunTotals& totals, bool stopped);
 
  private:
-  static void emit(const nlohmann::ordered_json& event);
+  /// One more frame is there: what progress, SIGUSR1 and events say.
+  void count();
 
   const bool json_, quiet_, verbose_;
+  const int64_t frames_;
+  int64_t done_ = 0;
   Progress progress_;
 };
+
+/// The last event of a run that fails.
+void report_failure(const Error& problem);
 
 }  // namespace hybridrt::cli

@@ -203,8 +203,18 @@ class RenderTest(CliTestCase):
         for event in events[1:4]:
             self.assertTrue(os.path.exists(self.path(event["path"])))
         self.assertEqual(events[0]["frames"], 3)
+        self.assertEqual([(event["done"], event["of"]) for event in events[1:4]], [(1, 3), (2, 3), (3, 3)])
         self.assertEqual((events[4]["frames"], events[4]["stopped"]), (3, False))
+        self.assertEqual((events[4]["state"], events[4]["exit_code"]), ("done", 0))
         self.assertEqual(done.stderr, "")
+
+    def test_json_ends_with_an_event_whatever_happens(self):
+        done = self.run_binary("render", "gone.obj", "--json")
+        events = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([event["event"] for event in events], ["end"])
+        self.assertEqual((events[0]["state"], events[0]["exit_code"]), ("failed", 3))
+        self.assertIn("gone.obj", events[0]["message"])
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (3, 1))
 
     def test_json_warnings_are_events(self):
         self.write("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n")

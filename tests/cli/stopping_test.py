@@ -53,7 +53,23 @@ class StoppingTest(CliTestCase):
         output, _ = process.communicate(timeout=60)
         events = [json.loads(line) for line in output.splitlines()]
         self.assertEqual((events[-1]["event"], events[-1]["stopped"]), ("end", True))
+        self.assertEqual((events[-1]["state"], events[-1]["exit_code"]), ("stopped", 130))
         self.assertEqual(events[-1]["frames"], len(events) - 2)
+
+    def test_a_signal_asks_where_it_is(self):
+        process = self.start_long()
+        self.wait_for_frames(process, 3)
+        for _ in range(20):
+            process.send_signal(signal.SIGUSR1)
+            time.sleep(0.01)
+        process.send_signal(signal.SIGTERM)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 143)
+        lines = errors.splitlines()
+        self.assertGreater(len(lines), 0)
+        for line in lines:
+            self.assertRegex(line, r"^hybridrt: rendering, \d+ of 1000000000 frames are done, \d+ s since the start$")
+        self.expect_whole()
 
     def test_a_second_signal_ends_at_once(self):
         # A picture so large that finishing it takes far longer than stopping.
