@@ -58,7 +58,7 @@ std::string address_of(const fs::path& picture) {
 }
 
 std::string image(const fs::path& picture, const std::string& what) {
-  return fmt::format("<img src=\"./{}\" alt=\"{}\" loading=\"lazy\">", address_of(picture), escaped(what));
+  return fmt::format("<img src=\"./{}\" alt=\"{}\">", address_of(picture), escaped(what));
 }
 
 std::string pictures_of(const GoldenResult& r) {
@@ -110,12 +110,12 @@ std::string golden_html(std::span<const GoldenResult> results, const std::string
       "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
       "<title>Golden images: {0} failed</title>\n<style>{1}</style>\n"
-      "<h1>Golden images: {0} failed, {2} passed</h1>\n<p>{3}</p>\n",
+      "<main>\n<h1>Golden images: {0} failed, {2} passed</h1>\n<p>{3}</p>\n",
       failed, kStyle, passed, escaped(program));
   for (const bool passing : {false, true})
     for (const GoldenResult& result : results)
       if (result.passed() == passing) page += section(result);
-  return page + "</html>\n";
+  return page + "</main>\n</html>\n";
 }
 
 std::string golden_junit(std::span<const GoldenResult> results) {
