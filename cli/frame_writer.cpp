@@ -61,7 +61,9 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
       layered_(paths.stream.empty() && keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
       with_record_(paths.stream.empty() && !keeps_metadata(output_path(paths.pattern, job.frames.lowest()).string())),
       sheet_(options.contact_sheet.empty() ? FrameSpec{{}} : job.frames),
-      sink_(encode_image_file, threads, static_cast<size_t>(2 * threads)) {
+      sink_([](const Image& picture, const std::filesystem::path& path,
+               const ImageMetadata& metadata) { return encode_image(picture, path.string(), metadata); },
+            threads, static_cast<size_t>(2 * threads)) {
   if (paths.timings.empty()) return;
   if (options.existing == Existing::resume) earlier_rows_ = read_timings_rows(paths.timings);
   timings_.emplace(paths.timings);

@@ -12,11 +12,13 @@
 namespace hybridrt::cli {
 
 nlohmann::ordered_json library_versions() {
-  return {{"embree", RTC_VERSION_STRING},
-          {"openimageio", image_library_version()},
-          {"glm", fmt::format("{}.{}.{}", GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH)},
-          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
-          {"cli11", CLI11_VERSION}};
+  nlohmann::ordered_json versions = {
+      {"embree", RTC_VERSION_STRING},
+      {"glm", fmt::format("{}.{}.{}", GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH)},
+      {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+      {"cli11", CLI11_VERSION}};
+  for (const auto& [library, version] : image_library_versions()) versions[library] = version;
+  return versions;
 }
 
 ExitCode print_version(bool as_json) {

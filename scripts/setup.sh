@@ -8,7 +8,7 @@ packages=(
   cmake                  # build
   ninja-build            # build
   ccache                 # rebuilds
-  pkg-config             # finds OpenImageIO
+  pkg-config             # finds libraries
   git                    # version
   python3                # tests
   libegl-dev             # headers
@@ -22,6 +22,9 @@ packages=(
   nlohmann-json3-dev     # JSON
   libcli11-dev           # options
   libopenimageio-dev     # images
+  libpng-dev             # PNG
+  libisal-dev            # PNG
+  libdeflate-dev         # PNG
   libembree-dev          # rays
   libhwy-dev             # SIMD
   libopenmesh-dev        # decimation
@@ -35,6 +38,8 @@ packages=(
 )
 # Tests that need these are skipped without them.
 optional=(
+  ffmpeg                 # reads what -o - writes
+  pngcheck               # reads our PNGs
   chromium               # opens reports
 )
 

@@ -17,6 +17,7 @@ ARROWS = {
     "core/base": [],
     "core/image": ["core/base"],
     "core/image_io": ["core/image", "core/base"],
+    "core/image_formats": ["core/image_io", "core/image", "core/base"],
     "core/scene": ["core/image", "core/base"],
     "core/mesh": ["core/scene", "core/base"],
     "core/procedural": ["core/mesh", "core/scene", "core/base"],
@@ -42,21 +43,27 @@ SHARED_WITH_GLSL = ["shaders/shared.h", "shaders/shadow_warp.glsl", "shaders/sur
 
 # Third-party headers by prefix, and the only folders or files that may include them.
 FENCES = {
-    "OpenImageIO/": ["core/image_io/", "tests/image_io/"],
+    "OpenImageIO/": ["core/image_formats/", "tests/image_io/", "tests/bench/encode_bench.cpp"],
+    "png.h": ["core/image_io/", "tests/image_io/"],
+    "libdeflate.h": ["core/image_io/"],
+    "isa-l": ["core/image_io/"],
     "EGL/": ["core/gl/"],
     "GL/": ["core/gl/"],
     "OpenMesh/": ["core/simplify/", "core/load/"],
     "CLI/": ["cli/"],
     "embree": ["core/trace/", "cli/version.cpp", "tests/bench/"],
-    "hwy/": ["core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],
+    "hwy/": ["core/image_io/", "core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],
 }
 # The same fences for the linker: CMake target, and the CMakeLists.txt that may name it.
 LINK_FENCES = {
-    "OPENIMAGEIO": ["core/image_io/", "tests/"],
+    "OPENIMAGEIO": ["core/image_formats/", "tests/"],
+    "PNG::PNG": ["core/image_io/", "tests/"],
+    "PkgConfig::ISAL": ["core/image_io/"],
+    "PkgConfig::DEFLATE": ["core/image_io/"],
     "OpenMesh": ["core/simplify/", "core/load/"],
     "CLI11": ["cli/"],
     "embree": ["core/trace/", "cli/", "tests/", ""],
-    "hwy::hwy": ["core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],
+    "hwy::hwy": ["core/image_io/", "core/trace/", "core/raster/", "core/passes_cpu/", "tests/"],
 }
 
 SOURCE = (".cpp", ".h", ".glsl", ".vert", ".frag", ".comp")
@@ -164,7 +171,8 @@ PLANTED = [  # path, text, line of the fault or 0 for none
     ("core/base/neighbour.h", '#include "../scene/scene.h"\n', 1),
     ("core/scene/scene.h", '#include "core/base/a.h"\n#include "core/image/i.h"\n', 0),
     ("core/image/i.h", '#include "core/base/a.h"\n#  include "core/scene/scene.h"\n', 2),
-    ("core/image_io/read.cpp", '#include <OpenImageIO/imageio.h>\n#include "core/image/i.h"\n', 0),
+    ("core/image_formats/read.cpp", '#include <OpenImageIO/imageio.h>\n#include "core/image/i.h"\n', 0),
+    ("core/image_io/read.cpp", "#include <png.h>\n#include <OpenImageIO/imageio.h>\n", 2),
     ("core/image/read.cpp", "#include <OpenImageIO/imageio.h>\n", 1),
     ("core/scene/textures.cpp", '#include "core/image_io/read.h"\n', 1),
     ("core/trace/kd.cpp", '#include <hwy/highway.h>\n#include <embree3/rtcore.h>\n#include "shaders/shared.h"\n', 0),

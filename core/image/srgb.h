@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/image/image.h"
@@ -17,6 +18,9 @@ uint8_t srgb8_from_linear(float linear);
 
 /// The index of the alpha channel (last of 2 or of 4), or -1. Alpha is a share, not light: no curve.
 int alpha_channel(int channels);
+
+/// The same for interleaved pixels of `channels` values, alpha linear; writes linear.size() codes.
+void srgb8_from_linear(std::span<const float> linear, int channels, uint8_t* codes);
 
 /// A whole linear image as 8-bit display codes, interleaved as in `image.data`.
 std::vector<uint8_t> srgb8_from_linear(const Image& image);

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/image/image.h"
 #include "core/image/image_metadata.h"
+#include "core/image_io/encode_options.h"
 
 namespace hybridrt {
 
@@ -40,15 +42,9 @@ bool keeps_alpha(const std::string& format_or_name);
 /// Thread-safe; starts no thread. Throws Error (output) when a value is NaN or infinite (naming the pixel) or the
 /// writer fails (too large for the format), Error (usage) for a format that cannot be written.
 std::vector<unsigned char> encode_image(const Image& linear, const std::string& format_or_name,
-                                        const ImageMetadata& metadata = {});
+                                        const ImageMetadata& metadata = {}, const EncodeOptions& options = {});
 
-/// The same, with the format of the path's extension: an EncodeFunction for FileSink.
-inline std::vector<unsigned char> encode_image_file(const Image& linear, const std::filesystem::path& path,
-                                                    const ImageMetadata& metadata) {
-  return encode_image(linear, path.string(), metadata);
-}
-
-/// OpenImageIO's version.
-std::string image_library_version();
+/// The libraries that read and write pictures, and their versions that the program was built with.
+std::vector<std::pair<std::string, std::string>> image_library_versions();
 
 }  // namespace hybridrt

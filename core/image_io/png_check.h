@@ -5,8 +5,11 @@
 
 namespace hybridrt {
 
-/// What is wrong with a PNG's chunks (cut short, a wrong checksum), or "" for an intact one and for other formats.
-/// libpng would report such files on standard error, which nobody can prevent.
+/// Whether the file begins as PNGs do, whatever it is called. False for what cannot be opened.
+bool is_png(const std::filesystem::path& path);
+
+/// What is wrong with the chunks of such a file (cut short, a wrong checksum), or "". libpng takes files whose wrong
+/// checksum is not the pixels', and does not miss their end.
 std::string png_fault(const std::filesystem::path& path);
 
 }  // namespace hybridrt

@@ -7,14 +7,10 @@
 
 namespace hybridrt {
 
-/// Limits that are checked before anything is allocated; larger files are refused.
-inline constexpr int kMaxImageSidePx = 65500;
-inline constexpr double kMaxImagePixels = 1 << 30;
-
 /// The first picture of the file, all of its channels (not premultiplied), values as it stores them: integers divided
 /// by their maximum and otherwise untouched (display values in PNG and similar formats), floats as they are.
-/// Thread-safe. Throws Error (input), naming the file, if it is missing, not a regular file, not an image that
-/// OpenImageIO reads, cut short, over the limits above, or too large for memory.
+/// Thread-safe. Throws Error (input), naming the file, if it is missing, not a regular file, not an image in
+/// a format that we read, cut short, over the limits of image_limits.h, or too large for memory.
 Image read_image(const std::filesystem::path& path);
 
 /// The description that encode_image() made of its metadata; empty if there is none, or the file is no image that can

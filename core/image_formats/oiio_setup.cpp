@@ -1,4 +1,4 @@
-#include "core/image_io/oiio_setup.h"
+#include "core/image_formats/oiio_setup.h"
 
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
@@ -23,8 +23,8 @@ void set_up_oiio() {
 }
 
 std::span<const char* const> picture_formats() {
-  static constexpr const char* kFormats[] = {"png", "jpeg", "openexr", "tiff", "bmp",      "targa",
-                                             "hdr", "webp", "pnm",     "gif",  "jpeg2000", "fits"};
+  static constexpr const char* kFormats[] = {"jpeg", "openexr", "tiff", "bmp",      "targa", "hdr",
+                                             "webp", "pnm",     "gif",  "jpeg2000", "fits"};
   return kFormats;
 }
 

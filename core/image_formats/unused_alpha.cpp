@@ -1,4 +1,4 @@
-#include "core/image_io/unused_alpha.h"
+#include "core/image_formats/unused_alpha.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/image_io/memory_file.h"
+#include "core/image_formats/memory_file.h"
 
 #include <cerrno>
 #include <sys/mman.h>
