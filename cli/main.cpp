@@ -64,8 +64,8 @@ void add_commands(CLI::App& app, const std::vector<std::string>& command_line, A
       "  hybridrt render scene:chess\n"
       "  hybridrt inspect car.obj");
   app.require_subcommand(0, 1);
-  app.add_flag("--version", asked.version, "Version, commit, compiler, libraries, GL renderer");
-  app.add_flag("--json", asked.as_json, "With --version: as one JSON object");
+  app.add_flag("--version", asked.version, "Version, commit, compiler, libraries");
+  app.add_flag("--json", asked.as_json, "With --version: as one JSON object, with the GL renderer");
   add_render_command(app, command_line, asked.command);
   add_sweep_command(app, command_line, asked.command);
   add_report_command(app, asked.command);

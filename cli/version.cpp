@@ -21,24 +21,30 @@ nlohmann::ordered_json library_versions() {
   return versions;
 }
 
+namespace {
+
+nlohmann::ordered_json gl_renderer() {
+  try {
+    const gl::ContextInfo info = gl::open_context({})->info();
+    return info.renderer + ", OpenGL " + info.version;
+  } catch (const Error&) {  // the version needs no GL
+    return nullptr;
+  }
+}
+
+}  // namespace
+
 ExitCode print_version(bool as_json) {
   nlohmann::ordered_json facts = {
       {"version", kVersion}, {"commit", kCommit}, {"compiler", kCompiler}, {"libraries", library_versions()}};
-  facts["gl_renderer"] = nullptr;
-  try {
-    const gl::ContextInfo info = gl::open_context({})->info();
-    facts["gl_renderer"] = info.renderer + ", OpenGL " + info.version;
-  } catch (const Error&) {  // the version needs no GL
-  }
   if (as_json) {
+    facts["gl_renderer"] = gl_renderer();
     fmt::print("{}\n", facts.dump(2));
     return ExitCode::ok;
   }
   fmt::print("hybridrt {} ({}), built by {}\n", kVersion, kCommit, kCompiler);
   for (const auto& [library, version] : facts["libraries"].items())
     fmt::print("{} {}\n", library, version.get<std::string>());
-  fmt::print("GL: {}\n", facts["gl_renderer"].is_null() ? "none usable, see 'hybridrt doctor'"
-                                                        : facts["gl_renderer"].get<std::string>());
   return ExitCode::ok;
 }
 

@@ -14,7 +14,8 @@ const ImageFormats* open_image_formats(ErrorKind kind) {
   const fs::path file = (program.parent_path() / HYBRIDRT_IMAGE_FORMATS).lexically_normal();
   const auto problem = [&] {
     const char* reason = ::dlerror();
-    return error(kind, "{}: cannot be opened, so that PNG is the only picture format: {}; install all of hybridrt again",
+    return error(kind,
+                 "{}: cannot be opened, so that PNG is the only picture format: {}; install all of hybridrt again",
                  file.string(), reason ? reason : "unknown reason");
   };
   // Never closed: OpenImageIO's threads and caches end with the program.

@@ -31,8 +31,8 @@ struct ImageFormats {
   std::string (*read_format_description)(const std::filesystem::path& path);
 };
 
-/// The one symbol of the shared object: a `const ImageFormats* (*)()`. A change of the table changes the name, so that a
-/// program and a shared object that do not belong together find out.
+/// The one symbol of the shared object: a `const ImageFormats* (*)()`. A change of the table changes the name, so that
+/// a program and a shared object that do not belong together find out.
 inline constexpr const char* kImageFormatsSymbol = "hybridrt_image_formats_1";
 
 /// Opens the shared object at its first call; it stays open. It lies in the folder of libraries beside the program's

@@ -41,13 +41,13 @@ PngFile::PngFile(const std::filesystem::path& path) : path_(path), file_(std::fo
   png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &problem_, leave, ignore);
   info_ = png_ ? png_create_info_struct(png_) : nullptr;
   const bool read = info_ && guarded([this] {
-    png_init_io(png_, file_.get());
-    png_read_info(png_, info_);
-    png_set_expand(png_);  // palettes, fewer than eight bits, transparent colours
-    if constexpr (std::endian::native == std::endian::little) png_set_swap(png_);
-    interlaced_ = png_set_interlace_handling(png_) > 1;
-    png_read_update_info(png_, info_);
-  });
+                      png_init_io(png_, file_.get());
+                      png_read_info(png_, info_);
+                      png_set_expand(png_);  // palettes, fewer than eight bits, transparent colours
+                      if constexpr (std::endian::native == std::endian::little) png_set_swap(png_);
+                      interlaced_ = png_set_interlace_handling(png_) > 1;
+                      png_read_update_info(png_, info_);
+                    });
   if (!read) {
     const bool no_memory = !info_;
     png_destroy_read_struct(&png_, &info_, nullptr);

@@ -51,9 +51,7 @@ void filter_row(const PngRow& row, PngFilter filter, uint8_t* out) {
     case PngFilter::none: std::memcpy(out, row.codes, row.bytes); break;
     case PngFilter::sub: predict_row(row, out, [](int left, int, int) { return left; }); break;
     case PngFilter::up: predict_row(row, out, [](int, int above, int) { return above; }); break;
-    case PngFilter::average:
-      predict_row(row, out, [](int left, int above, int) { return (left + above) / 2; });
-      break;
+    case PngFilter::average: predict_row(row, out, [](int left, int above, int) { return (left + above) / 2; }); break;
     case PngFilter::paeth: predict_row(row, out, paeth); break;
   }
 }

@@ -2,8 +2,8 @@
 //   encode_bench [--rounds=N] PICTURE...
 // Pictures are EXR files as `hybridrt render SCENE -o NAME.exr` writes them. Encoders take turns; medians of the rounds
 // are printed in milliseconds, bytes, and both as shares of the encoder named first of its format: OpenImageIO's PNG at
-// its defaults (zlib level 6, filters by trial), and its EXR of floats by ZIP. What is not ours is the same library with
-// other settings.
+// its defaults (zlib level 6, filters by trial), and its EXR of floats by ZIP. What is not ours is the same library
+// with other settings.
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -81,8 +81,9 @@ std::vector<Encoder> exr_encoders() {
   std::vector<Encoder> encoders;
   for (const auto& [name, type] : {std::pair("float", OIIO::TypeFloat), std::pair("half", OIIO::TypeHalf)})
     for (const char* compression : {"zip", "zips", "piz", "rle", "none", "zip:1"})
-      encoders.push_back({std::string("exr ") + name + " " + compression,
-                          [type = type, compression](const Image& image) { return oiio_exr(image, type, compression); }});
+      encoders.push_back(
+          {std::string("exr ") + name + " " + compression,
+           [type = type, compression](const Image& image) { return oiio_exr(image, type, compression); }});
   for (const auto numbers : {ExrNumbers::single, ExrNumbers::half})
     for (const auto compression : {Compression::fast, Compression::small})
       encoders.push_back({"exr ours, " + std::string(name_in(kExrNumbers, numbers)) + ", " +

@@ -4,6 +4,7 @@
 """
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -24,9 +25,9 @@ class InstallTest(unittest.TestCase):
         subprocess.run([CMAKE, "--install", BUILD, "--prefix", cls.prefix, "--strip"], check=True, capture_output=True)
         cls.binary = os.path.join(cls.prefix, "bin", "hybridrt")
 
-    def run_installed(self, *arguments):
+    def run_installed(self, *arguments, binary=None):
         environment = {name: os.environ[name] for name in os.environ if not name.startswith(("LD_", "HYBRIDRT_"))}
-        done = subprocess.run([self.binary, *arguments], cwd=self.elsewhere, env=environment, capture_output=True,
+        done = subprocess.run([binary or self.binary, *arguments], cwd=self.elsewhere, env=environment, capture_output=True,
                               text=True, timeout=250)
         self.assertEqual(done.returncode, 0, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done.stdout
@@ -39,6 +40,13 @@ class InstallTest(unittest.TestCase):
         folder = os.path.join(self.elsewhere, "first")
         self.assertEqual(sorted(os.listdir(folder)), ["light.0001.png", "run.json", "timings.csv"])
         self.assertGreater(os.path.getsize(os.path.join(folder, "light.0001.png")), 500)
+
+    def test_moved_elsewhere(self):
+        moved = os.path.join(self.folder.name, "moved")
+        shutil.copytree(self.prefix, moved)
+        for name in ("a.exr", "a.jpg"):
+            self.run_installed("render", "scene:spheres,triangles=500", "--size", "64x48", "-q", "-o", "second/" + name)
+            self.run_installed("compare", "second/" + name, "second/" + name, binary=os.path.join(moved, "bin", "hybridrt"))
 
     def test_golden(self):
         share = os.path.join(self.prefix, "share", "hybridrt")
@@ -62,10 +70,14 @@ class InstallTest(unittest.TestCase):
             self.assertEqual(file.read(), self.run_installed("help", "--bash-completion"))
 
     def test_knows_no_path_of_the_source(self):
-        with open(self.binary, "rb") as file:
-            content = file.read()
-        for folder in (SOURCE, BUILD):
-            self.assertNotIn(os.path.abspath(folder).encode() + b"/", content)
+        below = [os.path.join(folder, name) for folder, _, names in os.walk(self.prefix) for name in names]
+        modules = [path for path in below if path.endswith(".so")]
+        self.assertEqual(len(modules), 1)
+        for path in [self.binary, *modules]:
+            with open(path, "rb") as file:
+                content = file.read()
+            for folder in (SOURCE, BUILD):
+                self.assertNotIn(os.path.abspath(folder).encode() + b"/", content, path)
 
     def test_documents(self):
         documents = os.path.join(self.prefix, "share", "doc", "hybridrt")

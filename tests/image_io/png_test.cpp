@@ -60,8 +60,9 @@ Image half_noise(int width, int height, int channels) {
 }
 
 TEST(Png, WhatWeWriteIsReadByOpenImageIo) {
-  constexpr std::pair<int, int> kSizes[] = {{1, 1}, {1, 9}, {9, 1}, {2, 2}, {61, 43}, {700, 300}, {30000, 3}, {3, 30000}};
-  for (const auto &[width, height] : kSizes)
+  constexpr std::pair<int, int> kSizes[] = {{1, 1},   {1, 9},     {9, 1},     {2, 2},
+                                            {61, 43}, {700, 300}, {30000, 3}, {3, 30000}};
+  for (const auto& [width, height] : kSizes)
     for (const int channels : {1, 2, 3, 4})
       for (const Compression compression : {Compression::fast, Compression::small}) {
         const Image image = half_noise(width, height, channels);
@@ -107,7 +108,7 @@ TEST(Png, TheFilterOfTheSmallestSumIsTaken) {
 TEST(Png, EveryKindIsReadAsByOpenImageIo) {
   uint32_t seed = 1;
   for (const PngVariant& variant : png_variants())
-    for (const auto &[width, height] : {std::pair(1, 1), {13, 7}, {9, 150}}) {
+    for (const auto& [width, height] : {std::pair(1, 1), {13, 7}, {9, 150}}) {
       const EncodedFile file(write_png_variant(variant, width, height, ++seed), "png");
       const Oracle expected = by_openimageio(file.path);
       ASSERT_TRUE(expected.read);
@@ -177,9 +178,10 @@ TEST(Png, DamagedFilesAreTakenAsByOpenImageIo) {
       } catch (const Error& refusal) {
         problem = refusal.what();
       }
-      const bool by_checksum = problem.find("cut short") != std::string::npos || problem.find("checksum") != std::string::npos ||
+      const bool by_checksum = problem.find("cut short") != std::string::npos ||
+                               problem.find("checksum") != std::string::npos ||
                                problem.find("too large") != std::string::npos;
-      if (by_checksum) continue;  // before any library
+      if (by_checksum) continue;           // before any library
       testing::internal::CaptureStderr();  // OpenImageIO's libpng writes there
       const Oracle expected = by_openimageio(file.path);
       testing::internal::GetCapturedStderr();
