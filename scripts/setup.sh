@@ -22,9 +22,10 @@ packages=(
   nlohmann-json3-dev     # JSON
   libcli11-dev           # options
   libopenimageio-dev     # images
+  libopenexr-dev         # EXR
   libpng-dev             # PNG
-  libisal-dev            # PNG
-  libdeflate-dev         # PNG
+  libisal-dev            # packing
+  libdeflate-dev         # packing
   libembree-dev          # rays
   libhwy-dev             # SIMD
   libopenmesh-dev        # decimation

@@ -45,6 +45,8 @@ SHARED_WITH_GLSL = ["shaders/shared.h", "shaders/shadow_warp.glsl", "shaders/sur
 FENCES = {
     "OpenImageIO/": ["core/image_formats/", "tests/image_io/", "tests/bench/encode_bench.cpp"],
     "png.h": ["core/image_io/", "tests/image_io/"],
+    "openexr": ["core/image_io/"],
+    "Imath/": ["core/image_io/"],
     "libdeflate.h": ["core/image_io/"],
     "isa-l": ["core/image_io/"],
     "EGL/": ["core/gl/"],
@@ -58,6 +60,7 @@ FENCES = {
 LINK_FENCES = {
     "OPENIMAGEIO": ["core/image_formats/", "tests/"],
     "PNG::PNG": ["core/image_io/", "tests/"],
+    "OpenEXR::": ["core/image_io/"],
     "PkgConfig::ISAL": ["core/image_io/"],
     "PkgConfig::DEFLATE": ["core/image_io/"],
     "OpenMesh": ["core/simplify/", "core/load/"],

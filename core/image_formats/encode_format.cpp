@@ -2,9 +2,6 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -35,18 +32,9 @@ Output create_writer(const std::string& format_or_name) {
   return is_picture_format(writer->format_name()) ? std::move(writer) : nullptr;
 }
 
-/// Colours times alpha, as EXR holds them.
-Image associated(Image image) {
-  const int alpha = alpha_channel(image.channels);
-  for (size_t first = 0; alpha >= 0 && first < image.data.size(); first += image.channels)
-    for (int c = 0; c < alpha; ++c) image.data[first + c] *= image.data[first + alpha];
-  return image;
-}
-
 /// The image with the channels that the format can hold.
 Image with_writable_channels(const Image& image, const OIIO::ImageOutput& writer) {
   const std::string_view format = writer.format_name();
-  if (format == "openexr") return image;
   const bool grey_fits = format == "jpeg" || format == "tiff";
   const bool has_alpha = alpha_channel(image.channels) >= 0;
   const bool keep_alpha = has_alpha && writer.supports("alpha") && (image.channels == 4 || grey_fits);
@@ -57,54 +45,15 @@ Image with_writable_channels(const Image& image, const OIIO::ImageOutput& writer
 OIIO::ImageSpec make_spec(const Image& image, std::string_view format, bool is_float, const ImageMetadata& metadata) {
   OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, is_float ? OIIO::TypeFloat : OIIO::TypeUInt8);
   if (!metadata.empty()) spec.attribute("ImageDescription", description_of(metadata));
-  if (format != "openexr") spec.attribute("oiio:UnassociatedAlpha", 1);  // leave the colours alone
+  spec.attribute("oiio:UnassociatedAlpha", 1);  // leave the colours alone
   // A DateTime that is not a string: the writers see that there is one, do not add the current time, and then write
   // none.
   spec.attribute("DateTime", 0);
   // Not for TIFF: OpenImageIO 2.4 then adds an Exif directory, and a file written in memory is corrupt.
   if (format == "jpeg") spec.attribute("oiio:ColorSpace", "sRGB");
   if (format == "tiff") spec.attribute("compression", "lzw");
-  if (format == "openexr") spec.attribute("compression", "zip");
   if (format == "jpeg") spec.attribute("CompressionQuality", 95);
   return spec;
-}
-
-/// Adds the layers' channels after the image's own. EXR files name their channels.
-void describe_layers(const Image& image, OIIO::ImageSpec& spec) {
-  spec.default_channel_names();
-  spec.channelformats.assign(static_cast<size_t>(image.channels), OIIO::TypeFloat);
-  for (const ImageLayer& layer : image.layers)
-    for (const std::string& channel : layer.channels) {
-      HRT_CHECK_EQ(layer.values.size() + layer.numbers.size(), image.pixel_count() * layer.channels.size());
-      spec.channelnames.push_back(channel);
-      spec.channelformats.push_back(layer.numbers.empty() ? OIIO::TypeFloat : OIIO::TypeUInt32);
-    }
-  spec.nchannels = static_cast<int>(spec.channelnames.size());
-}
-
-/// Per pixel the image's channels, then the layers', each in four bytes.
-std::vector<uint32_t> interleaved_with_layers(const Image& image) {
-  std::vector<uint32_t> words;
-  for (size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
-    const auto add = [&](const auto& values, size_t channels) {
-      for (size_t c = 0; c < channels; ++c) words.push_back(std::bit_cast<uint32_t>(values[pixel * channels + c]));
-    };
-    add(image.data, static_cast<size_t>(image.channels));
-    for (const ImageLayer& layer : image.layers)
-      if (layer.numbers.empty())
-        add(layer.values, layer.channels.size());
-      else
-        add(layer.numbers, layer.channels.size());
-  }
-  return words;
-}
-
-void require_finite_layers(const Image& image, const std::string& name) {
-  for (const ImageLayer& layer : image.layers)
-    for (float value : layer.values)
-      if (!std::isfinite(value))
-        throw error(ErrorKind::output, "{}: not written: its layer {} has a value that is not a finite number", name,
-                    layer.name);
 }
 
 }  // namespace
@@ -116,7 +65,7 @@ std::optional<WrittenFormat> writer_for(const std::string& extension) {
 }
 
 std::vector<unsigned char> encode_format(const Image& linear, const std::string& format_or_name,
-                                         const ImageMetadata& metadata, const EncodeOptions&) {
+                                         const ImageMetadata& metadata) {
   // Before the writer: it holds on to the proxy and the file until it is destroyed.
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput proxy(bytes);
@@ -125,19 +74,9 @@ std::vector<unsigned char> encode_format(const Image& linear, const std::string&
   const Output writer = create_writer(format_or_name);
   HRT_CHECK(writer);
   const std::string format = writer->format_name();
-
-  const Image image = with_writable_channels(format == "openexr" ? associated(linear) : linear, *writer);
-  const bool is_float = format == "openexr" || format == "hdr";
-  const bool layered = format == "openexr" && !image.layers.empty();
-  OIIO::ImageSpec spec = make_spec(image, format, is_float, metadata);
-  if (format == "openexr" && image.camera) {
-    spec.attribute("worldtocamera", OIIO::TypeMatrix, image.camera->camera_from_world.data());
-    spec.attribute("worldToNDC", OIIO::TypeMatrix, image.camera->ndc_from_world.data());
-  }
-  if (layered) {
-    require_finite_layers(image, format_or_name);
-    describe_layers(image, spec);
-  }
+  const Image image = with_writable_channels(linear, *writer);
+  const bool is_float = format == "hdr";
+  const OIIO::ImageSpec spec = make_spec(image, format, is_float, metadata);
   writer->threads(1);
   std::string file_name = "memory." + extension_of(format_or_name);  // JPEG 2000 and PNM have variants by extension
   if (writer->supports("ioproxy"))
@@ -146,11 +85,9 @@ std::vector<unsigned char> encode_format(const Image& linear, const std::string&
     file_name = file.emplace().path();
 
   const std::vector<uint8_t> codes = is_float ? std::vector<uint8_t>() : srgb8_from_linear(image);
-  const std::vector<uint32_t> words = layered ? interleaved_with_layers(image) : std::vector<uint32_t>();
   const bool written =
-      writer->open(file_name, spec) && (layered    ? writer->write_image(OIIO::TypeUnknown, words.data())
-                                        : is_float ? writer->write_image(OIIO::TypeFloat, image.data.data())
-                                                   : writer->write_image(OIIO::TypeUInt8, codes.data()));
+      writer->open(file_name, spec) && (is_float ? writer->write_image(OIIO::TypeFloat, image.data.data())
+                                                 : writer->write_image(OIIO::TypeUInt8, codes.data()));
   if (!writer->close() || !written)
     throw error(ErrorKind::output, "{}: cannot be encoded: {}; choose another format or size", format_or_name,
                 one_line(writer->geterror()));

@@ -26,6 +26,12 @@ FastDeflate::FastDeflate() : stream_(std::make_unique<Stream>()) {
 
 FastDeflate::~FastDeflate() = default;
 
+void FastDeflate::restart() {
+  packed_.clear();
+  isal_deflate_reset(&stream_->state);
+  stream_->state.gzip_flag = IGZIP_ZLIB;
+}
+
 void FastDeflate::add(std::span<const uint8_t> bytes, bool last) {
   constexpr size_t kRoom = size_t{1} << 17;
   isal_zstream& state = stream_->state;

@@ -21,6 +21,8 @@ class FastDeflate {
   FastDeflate(const FastDeflate&) = delete;
   FastDeflate& operator=(const FastDeflate&) = delete;
 
+  /// Forgets what was packed and begins another stream.
+  void restart();
   /// `last` ends the stream; then there is no more.
   void add(std::span<const uint8_t> bytes, bool last);
   PackedBytes& packed() { return packed_; }

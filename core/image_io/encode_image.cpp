@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/image/compare.h"
+#include "core/image_io/exr_write.h"
 #include "core/image_io/image_formats.h"
 #include "core/image_io/png_write.h"
 #include "core/image_io/written_channels.h"
@@ -15,17 +16,18 @@
 namespace hybridrt {
 namespace {
 
-bool is_png_extension(std::string extension) {
-  std::transform(extension.begin(), extension.end(), extension.begin(),
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension == "png";
+  return text;
 }
 
-/// Opens the other formats only for a name that is not a PNG's.
+/// Opens the other formats only for a name that is not a PNG's or EXR's.
 std::optional<WrittenFormat> format_of(const std::string& format_or_name) {
-  const std::string extension = extension_of(format_or_name);
+  const std::string extension = lower_case(extension_of(format_or_name));
   if (extension.empty()) return std::nullopt;
-  if (is_png_extension(extension)) return WrittenFormat{"png", true};
+  if (extension == "png") return WrittenFormat{"png", true};
+  if (extension == "exr") return WrittenFormat{"openexr", true};
   return image_formats(ErrorKind::output).writer_for(extension);
 }
 
@@ -68,25 +70,30 @@ void require_writable_size(const std::filesystem::path& name, int width_px, int 
   require_size(require_format(name.string()), name.string(), width_px, height_px);
 }
 
-std::vector<unsigned char> encode_image(const Image& linear, const std::string& format_or_name,
-                                        const ImageMetadata& metadata, const EncodeOptions& options) {
-  const WrittenFormat format = require_format(format_or_name);
-  require_size(format, format_or_name, linear.width_px, linear.height_px);
-  if (linear.pixel_count() == 0) throw error(ErrorKind::output, "{}: the picture has no pixels", format_or_name);
+void require_writable_picture(const Image& linear, const std::string& name) {
+  if (linear.pixel_count() == 0) throw error(ErrorKind::output, "{}: the picture has no pixels", name);
   if (const NonFinite at = find_non_finite(linear); at.found)
     throw error(ErrorKind::output,
                 "{}: not written: pixel ({}, {}), channel {} is not a finite number; look for "
                 "extreme numbers in the scene's materials and lights",
-                format_or_name, at.x, at.y, at.channel);
-  if (format.name != "png")
-    return image_formats(ErrorKind::output).encode_format(linear, format_or_name, metadata, options);
+                name, at.x, at.y, at.channel);
+}
+
+std::vector<unsigned char> encode_image(const Image& linear, const std::string& format_or_name,
+                                        const ImageMetadata& metadata, const EncodeOptions& options) {
+  const WrittenFormat format = require_format(format_or_name);
+  require_size(format, format_or_name, linear.width_px, linear.height_px);
+  require_writable_picture(linear, format_or_name);
   const std::string description = description_of(metadata);
+  if (format.name == "openexr") return encode_exr(linear, format_or_name, description, options);
+  if (format.name != "png") return image_formats(ErrorKind::output).encode_format(linear, format_or_name, metadata);
   return linear.channels <= 4 ? encode_png(linear, description, options.compression)
                               : encode_png(with_channels(linear, 3, false), description, options.compression);
 }
 
 std::vector<std::pair<std::string, std::string>> image_library_versions() {
   return {{"openimageio", HYBRIDRT_OPENIMAGEIO_VERSION},
+          {"openexr", HYBRIDRT_OPENEXR_VERSION},
           {"libpng", PNG_LIBPNG_VER_STRING},
           {"isa-l", fmt::format("{}.{}.{}", ISAL_MAJOR_VERSION, ISAL_MINOR_VERSION, ISAL_PATCH_VERSION)},
           {"libdeflate", LIBDEFLATE_VERSION_STRING}};

@@ -24,6 +24,9 @@ void require_writable_size(const std::filesystem::path& name, int width_px, int 
 /// Whether files of that format keep an image's layers.
 bool keeps_layers(const std::string& format_or_name);
 
+/// Throws Error (output), naming `name` and the first bad pixel, if there are no pixels or not all are finite.
+void require_writable_picture(const Image& linear, const std::string& name);
+
 /// Whether read_description() finds the metadata in files of that format.
 bool keeps_metadata(const std::string& format_or_name);
 
@@ -32,12 +35,12 @@ bool keeps_alpha(const std::string& format_or_name);
 
 /// The bytes of the whole file; nothing is written to disk. `format_or_name` as in `can_write_format`.
 ///
-/// EXR (32-bit float, ZIP) and HDR hold the linear values. EXR also holds the image's layers, whole numbers as 32-bit
-/// unsigned integers, and its camera as worldToCamera and worldToNDC; the other formats leave them out. All other
-/// formats hold 8 bits: clamped to 0-1, through the sRGB curve (alpha linear), rounded to nearest. Grey becomes colour
-/// and alpha is left out where the format requires it. EXR holds colours times alpha, as its readers expect; the others
-/// hold them as they are. `metadata` becomes the image description, one "name=value" line each, where the format has
-/// one. Nothing else is added, so equal arguments give equal bytes.
+/// EXR (ZIP; 32-bit float, or half by the options) and HDR hold the linear values. EXR also holds the image's layers,
+/// whole numbers as 32-bit unsigned integers, and its camera as worldToCamera and worldToNDC; the other formats leave
+/// them out. All other formats hold 8 bits: clamped to 0-1, through the sRGB curve (alpha linear), rounded to nearest.
+/// Grey becomes colour and alpha is left out where the format requires it. EXR holds colours times alpha, as its
+/// readers expect; the others hold them as they are. `metadata` becomes the image description, one "name=value" line
+/// each, where the format has one. Nothing else is added, so equal arguments give equal bytes.
 ///
 /// Thread-safe; starts no thread. Throws Error (output) when a value is NaN or infinite (naming the pixel) or the
 /// writer fails (too large for the format), Error (usage) for a format that cannot be written.

@@ -15,7 +15,8 @@ const ImageFormats* open_image_formats(ErrorKind kind) {
   const auto problem = [&] {
     const char* reason = ::dlerror();
     return error(kind,
-                 "{}: cannot be opened, so that PNG is the only picture format: {}; install all of hybridrt again",
+                 "{}: cannot be opened, and no picture but a PNG (and an EXR that is written) works without it: {}; "
+                 "install all of hybridrt again",
                  file.string(), reason ? reason : "unknown reason");
   };
   // Never closed: OpenImageIO's threads and caches end with the program.

@@ -9,7 +9,6 @@
 #include "core/image/image.h"
 #include "core/image/image_metadata.h"
 #include "core/image/texel_image.h"
-#include "core/image_io/encode_options.h"
 
 namespace hybridrt {
 
@@ -19,13 +18,13 @@ struct WrittenFormat {
   bool alpha;
 };
 
-/// All formats but PNG. They are read and written by OpenImageIO, which loads some 260 libraries (0.15 s). So this is a
-/// shared object of its own (core/image_formats), opened when the first such file is met. The functions are what the
-/// headers of their names say.
+/// All formats but PNG, and EXR where it is written. They are read and written by OpenImageIO, which loads some 260
+/// libraries (0.15 s). So this is a shared object of its own (core/image_formats), opened when the first such file is
+/// met. The functions are what the headers of their names say.
 struct ImageFormats {
   std::optional<WrittenFormat> (*writer_for)(const std::string& extension);
   std::vector<unsigned char> (*encode_format)(const Image& linear, const std::string& format_or_name,
-                                              const ImageMetadata& metadata, const EncodeOptions& options);
+                                              const ImageMetadata& metadata);
   Image (*read_format)(const std::filesystem::path& path);
   TexelImage (*read_format_texels)(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
   std::string (*read_format_description)(const std::filesystem::path& path);
