@@ -42,6 +42,8 @@ class OutputFile {
     if (bytes.size() > kBuffer) return write_through(bytes);
     buffer_ += bytes;
   }
+  /// Hands what is buffered to the system.
+  void flush();
   /// Makes the file appear.
   void commit();
   /// Publishes what was written so far, atomically, and goes on; costs a copy of it. Does nothing for devices and
@@ -54,7 +56,6 @@ class OutputFile {
   static constexpr size_t kBuffer = size_t{1} << 20;
 
   void write_to(int descriptor);
-  void flush();
   void write_through(std::string_view bytes);
   void sync_folder();
   [[noreturn]] void fail(const char* step, int reason) const;

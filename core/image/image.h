@@ -53,4 +53,11 @@ struct Image {
   const float* pixel(int x, int y) const { return &data[(static_cast<size_t>(y) * width_px + x) * channels]; }
 };
 
+/// What the image's pixels hold, those of its layers included.
+inline size_t memory_bytes(const Image& image) {
+  size_t values = image.data.size();
+  for (const ImageLayer& layer : image.layers) values += layer.values.size() + layer.numbers.size();
+  return values * sizeof(float);
+}
+
 }  // namespace hybridrt

@@ -71,22 +71,26 @@ size_t edge_sample_bytes(const RenderSettings& s) {
   return takes_edge_samples(s) ? kPerPixel * rendered_pixels(s) : 0;
 }
 
-/// FileSink holds two waiting pictures and one being written per thread, besides the current frame. Three floats per
-/// pixel, and at most as many per AOV.
-size_t picture_bytes(const RenderSettings& s, int threads, int64_t frame_count) {
+/// With its AOVs: at most as many floats each.
+size_t picture_bytes(const RenderSettings& s) {
   const PixelRect rect = picture_rect(s);
-  const auto held = static_cast<size_t>(std::min<int64_t>(frame_count, 3 * int64_t{threads} + 1));
   const size_t layers = 1 + static_cast<size_t>(std::popcount(s.aovs));
-  return held * layers * 12 * static_cast<size_t>(rect.width_px) * rect.height_px;
+  return layers * (s.alpha ? 16 : 12) * static_cast<size_t>(rect.width_px) * rect.height_px;
 }
 
 }  // namespace
+
+uint64_t most_written_bytes(const RenderSettings& s, int threads) {
+  constexpr uint64_t kLeast = uint64_t{64} << 20;
+  return std::max(kLeast, picture_bytes(s) * (static_cast<uint64_t>(threads) + 2));
+}
 
 MemoryEstimate estimate_frame_memory(const RenderSettings& s, size_t light_count, int threads, int64_t frame_count) {
   MemoryEstimate estimate;
   if (uses_gl(s)) estimate.gpu_frames = gpu_frame_bytes(s, light_count);
   estimate.frames = cpu_frame_bytes(s, light_count) + edge_sample_bytes(s);
-  estimate.pictures = picture_bytes(s, threads, frame_count);
+  const uint64_t picture = picture_bytes(s), written = most_written_bytes(s, threads) / picture;
+  estimate.pictures = picture * std::min<uint64_t>(frame_count, 1 + written);  // the current one, and those
   return estimate;
 }
 

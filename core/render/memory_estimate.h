@@ -21,6 +21,10 @@ struct MemoryEstimate {
   size_t total() const { return scene + topology + gpu_scene + gpu_frames + frames + pictures + accelerator; }
 };
 
+/// What pictures may hold that wait to be written or are being written (WriteQueue): one for each thread and two that
+/// wait, so that no core that is free waits for a picture; small ones more, so that a disk may pause for a while.
+uint64_t most_written_bytes(const RenderSettings& settings, int threads);
+
 /// The part that is known without a scene: gpu_frames, frames and pictures, for a sequence of `frame_count`.
 MemoryEstimate estimate_frame_memory(const RenderSettings& settings, size_t light_count, int threads,
                                      int64_t frame_count);

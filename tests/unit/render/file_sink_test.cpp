@@ -20,6 +20,7 @@ std::vector<unsigned char> bytes_of(const Image& image) {
   return {static_cast<unsigned char>(image.data[0]), static_cast<unsigned char>(image.data.size())};
 }
 
+constexpr size_t kBytes = 8;  // of each picture
 Image numbered(int number) { return Image(2, 1, 1, static_cast<float>(number)); }
 
 TEST(FileSink, WritesEveryPictureUnderItsOwnName) {
@@ -33,7 +34,7 @@ TEST(FileSink, WritesEveryPictureUnderItsOwnName) {
           if (turn++ < 3) std::this_thread::sleep_for(20ms);
           return bytes_of(image);
         },
-        3, 2);
+        3, 5 * kBytes);
     for (int i = 0; i < 30; ++i)
       sink.submit(folder.path / (fmt::format("f{}", i)), numbered(i), [&](double ms) { times_ms.push_back(ms); });
     sink.drain();
@@ -48,7 +49,8 @@ TEST(FileSink, WritesEveryPictureUnderItsOwnName) {
 TEST(FileSink, DestructorFinishesTheQueue) {
   const TemporaryFolder folder;
   {
-    FileSink sink([](const Image& image, const fs::path&, const ImageMetadata&) { return bytes_of(image); }, 1, 50);
+    FileSink sink([](const Image& image, const fs::path&, const ImageMetadata&) { return bytes_of(image); }, 1,
+                  50 * kBytes);
     for (int i = 0; i < 50; ++i) sink.submit(folder.path / std::to_string(i), numbered(i));
   }
   EXPECT_EQ(folder.names().size(), 50u);
@@ -62,7 +64,7 @@ TEST(FileSink, SubmitBlocksWhileTheQueueIsFull) {
         gate.acquire();
         return bytes_of(image);
       },
-      1, 2);
+      1, 3 * kBytes);
   std::atomic<int> submitted{0};
   auto producer = std::async(std::launch::async, [&] {
     for (int i = 0; i < 6; ++i, ++submitted) sink.submit(folder.path / std::to_string(i), numbered(i));
@@ -88,7 +90,7 @@ TEST(FileSink, CarriesAFailureOnceAndGoesOn) {
         if (image.data[0] == 1) throw error(ErrorKind::output, "planted");
         return bytes_of(image);
       },
-      2, 4);
+      2, 6 * kBytes);
   int done = 0;
   for (int i = 0; i < 3; ++i) {
     try {
@@ -119,7 +121,7 @@ TEST(FileSink, WakesASubmitThatWaitsWhenAPictureFails) {
         if (image.data[0] == 0) throw std::runtime_error("planted");
         return bytes_of(image);
       },
-      1, 1);
+      1, 2 * kBytes);
   auto producer = std::async(std::launch::async, [&] {
     for (int i = 0; i < 10; ++i) sink.submit(folder.path / std::to_string(i), numbered(i));
   });
@@ -130,7 +132,8 @@ TEST(FileSink, WakesASubmitThatWaitsWhenAPictureFails) {
 
 TEST(FileSink, MakesTheFolderOrSaysWhyNot) {
   const TemporaryFolder folder;
-  FileSink sink([](const Image& image, const fs::path&, const ImageMetadata&) { return bytes_of(image); }, 2, 4);
+  FileSink sink([](const Image& image, const fs::path&, const ImageMetadata&) { return bytes_of(image); }, 2,
+                6 * kBytes);
   for (int i = 0; i < 8; ++i) sink.submit(folder.path / "deep/er" / std::to_string(i), numbered(i));
   sink.drain();
   EXPECT_TRUE(fs::is_regular_file(folder.path / "deep/er/7"));
@@ -147,7 +150,7 @@ TEST(FileSink, MakesTheFolderOrSaysWhyNot) {
 
 TEST(FileSink, UnaskedFailureDoesNotEndTheProcess) {
   FileSink sink([](const Image&, const fs::path&, const ImageMetadata&) -> std::vector<unsigned char> { throw 42; }, 1,
-                1);
+                2 * kBytes);
   sink.submit("/nowhere/a", numbered(1));
 }
 

@@ -66,7 +66,9 @@ TEST(FrameMemory, IsBoundedByThePicturesThatWaitNotByTheSequence) {
   const RenderSettings settings;
   const size_t one = estimate_frame_memory(settings, 1, 2, 1).pictures;
   EXPECT_EQ(one, size_t{1024} * 768 * 12);
-  EXPECT_EQ(estimate_frame_memory(settings, 1, 2, 1'000'000'000).pictures, 7 * one);
+  EXPECT_EQ(estimate_frame_memory(settings, 1, 2, 1'000'000'000).pictures, 8 * one) << "64 MiB, and the current one";
+  EXPECT_EQ(estimate_frame_memory(settings, 1, 2, 3).pictures, 3 * one);
+  EXPECT_EQ(estimate_frame_memory(settings, 1, 16, 1'000'000'000).pictures, 19 * one) << "one a thread, two waiting";
   RenderSettings with_aovs;
   with_aovs.aovs = kAovId | kAovDepth;
   EXPECT_EQ(estimate_frame_memory(with_aovs, 1, 2, 1).pictures, 3 * one);
