@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 
 void print_summary(const OutputOptions& output, const OutputPaths& paths, const RenderJob& job,
                    const RunTotals& totals) {
-  if (output.json || output.quiet || paths.timings == "-" || paths.stream == "-") return;
+  if (output.json || output.quiet || paths.timings == "-" || paths.stream.name == "-") return;
   fmt::print("{}\nimages   {}\n", summary_table(job, totals),
-             paths.stream.empty() ? output_path(paths.pattern, job.frames.lowest()).string() : paths.stream);
+             paths.stream.name.empty() ? output_path(paths.pattern, job.frames.lowest()).string() : paths.stream.name);
   if (!paths.timings.empty()) fmt::print("timings  {}\n", paths.timings);
   if (!output.contact_sheet.empty()) fmt::print("sheet    {}\n", output.contact_sheet);
 }
@@ -82,8 +82,11 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
       reporter.warnings({*warning});
       warnings.push_back(*warning);
     }
-    reporter.frame(frame, paths.stream.empty() ? output_path(paths.pattern, frame.number) : fs::path(paths.stream));
+    reporter.frame(frame,
+                   paths.stream.name.empty() ? output_path(paths.pattern, frame.number) : fs::path(paths.stream.name));
+    const Stopwatch waiting;
     writer.write(std::move(frame));
+    totals.waited_ms += waiting.elapsed_ms();
   };
   const RunFacts facts = run(job, pool, starting, stop_requested, deliver);
   totals.rendering_ms = rendering.elapsed_ms();
@@ -120,7 +123,9 @@ void add_render_command(CLI::App& app, const std::vector<std::string>& command_l
   add_render_options(*command, *options);
 
   const char* group = "Output";
-  command->add_option("-o,--output", output->pattern, "Images, like out/name.####.png (default out/SCENENAME.####.png)")
+  command
+      ->add_option("-o,--output", output->pattern,
+                   "Images, like out/name.####.png (default out/SCENENAME.####.png); - is standard output")
       ->type_name("PATTERN")
       ->check([](const std::string& text) { return std::string(text.empty() ? "a name must not be empty" : ""); })
       ->group(group);
@@ -146,6 +151,31 @@ void add_render_command(CLI::App& app, const std::vector<std::string>& command_l
       ->add_flag_callback(
           "--resume", [output] { output->existing = Existing::resume; }, "The same as --existing resume")
       ->group(group);
+  command
+      ->add_option_function<std::string>(
+          "--compression",
+          [output](const std::string& text) { output->compression = parse_name("--compression", kCompressions, text); },
+          "How PNG and EXR files are packed: " + names_in(kCompressions) + " (default fast); the pixels are the same")
+      ->type_name("HOW")
+      ->group(group);
+  command
+      ->add_option_function<std::string>(
+          "--exr", [output](const std::string& text) { output->exr = parse_name("--exr", kExrNumbers, text); },
+          "The numbers of an EXR's picture: " + names_in(kExrNumbers) + " (default float)")
+      ->type_name("NUMBERS")
+      ->group(group);
+  command
+      ->add_option_function<std::string>(
+          "--pipe", [output](const std::string& text) { output->video = parse_name("--pipe", kVideoFormats, text); },
+          "What -o - carries: " + names_in(kVideoFormats) + " (default y4m for several frames, PNG for one)")
+      ->type_name("FORMAT")
+      ->group(group);
+  command
+      ->add_option_function<std::string>(
+          "--fps", [output](const std::string& text) { output->rate = parse_frame_rate("--fps", text); },
+          "Frames per second that y4m tells its reader, like 30 or 30000/1001 (default 25)")
+      ->type_name("RATE")
+      ->group(group);
   command->add_flag("--json", output->json, "One JSON object a line on standard output for every event")->group(group);
   command->add_flag("-q,--quiet", output->quiet, "Only errors and warnings")->group(group);
   command->add_flag("-v,--verbose", output->verbose, "A line for every frame")->group(group);
@@ -154,6 +184,7 @@ void add_render_command(CLI::App& app, const std::vector<std::string>& command_l
       "Examples:\n"
       "  hybridrt render scene:chess --size 1920x1080 --samples 8\n"
       "  hybridrt render car.obj --frames 1000 -o turn/car.####.png --resume\n"
+      "  hybridrt render car.obj --frames 250 -o - | ffmpeg -i - turn.mp4\n"
       "  hybridrt render hall.json --camera walk.json --frames 1-240:10 --contact-sheet walk.png");
   command->callback([options, output, command_line, &chosen] {
     chosen = [=] { return render_and_report(*options, *output, command_line); };

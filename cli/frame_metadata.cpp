@@ -37,6 +37,7 @@ ImageMetadata frame_metadata(const RunMetadata& run, const RenderJob& job, int f
       {"fingerprint",
        fmt::format("{:016x}", fingerprint(run.scene_fingerprint, frame_request(job, frame), job.settings))},
       {"form", run.form}};
+  if (run.halfs) metadata.emplace_back("exr", "half");
   if (!run.layers.empty()) metadata.emplace_back("layers", run.layers);
   return metadata;
 }

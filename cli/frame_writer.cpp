@@ -5,11 +5,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "core/base/output_file.h"
 #include "core/base/timing.h"
 #include "core/image_io/encode_image.h"
 #include "core/image_io/read_image.h"
 #include "core/render/aov.h"
+#include "core/render/memory_estimate.h"
 #include "core/render/picture_files.h"
 #include "core/render/picture_record.h"
 #include "core/scene/view.h"
@@ -58,12 +58,16 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
     : options_(options),
       paths_(paths),
       job_(job),
-      layered_(paths.stream.empty() && keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
-      with_record_(paths.stream.empty() && !keeps_metadata(output_path(paths.pattern, job.frames.lowest()).string())),
+      layered_(paths.stream.name.empty() && keeps_layers(output_path(paths.pattern, job.frames.lowest()).string())),
+      with_record_(paths.stream.name.empty() &&
+                   !keeps_metadata(output_path(paths.pattern, job.frames.lowest()).string())),
       sheet_(options.contact_sheet.empty() ? FrameSpec{{}} : job.frames),
-      sink_([](const Image& picture, const std::filesystem::path& path,
-               const ImageMetadata& metadata) { return encode_image(picture, path.string(), metadata); },
-            threads, static_cast<size_t>(2 * threads)) {
+      sink_([encode = encode_options(options)](
+                const Image& picture, const std::filesystem::path& path,
+                const ImageMetadata& metadata) { return encode_image(picture, path.string(), metadata, encode); },
+            threads, most_written_bytes(job.settings, threads)) {
+  if (!paths.stream.name.empty())
+    stream_.emplace(paths.stream, encode_options(options), most_written_bytes(job.settings, threads));
   if (paths.timings.empty()) return;
   if (options.existing == Existing::resume) earlier_rows_ = read_timings_rows(paths.timings);
   timings_.emplace(paths.timings);
@@ -95,13 +99,6 @@ void FrameWriter::add_kept_rows_before(int frame) {
   if (!asked_.empty()) asked_.pop_front();
 }
 
-void FrameWriter::write_to_stream(const Image& picture, const ImageMetadata& metadata) {
-  const std::vector<unsigned char> bytes = encode_image(picture, "png", metadata);
-  OutputFile file = paths_.stream == "-" ? OutputFile::standard_output() : OutputFile(paths_.stream);
-  file.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  file.commit();
-}
-
 void FrameWriter::write(Frame&& frame) {
   const int number = frame.number;
   const ImageMetadata metadata = frame_metadata(metadata_, job_, number);
@@ -111,11 +108,7 @@ void FrameWriter::write(Frame&& frame) {
   add_kept_rows_before(number);
   if (timings_) timings_->add(frame, static_cast<int>(layered_ ? 1 : 1 + frame.aovs.size()));
   sheet_.add(frame);
-  if (!paths_.stream.empty()) {
-    const Stopwatch writing;
-    write_to_stream(frame.picture, metadata);
-    return written(writing.elapsed_ms());
-  }
+  if (stream_) return stream_->submit(std::move(frame.picture), metadata, written);
   if (layered_) {
     frame.picture.camera = image_camera(frame_request(job_, number).camera, job_.settings);
     frame.picture.layers = std::move(frame.aovs);
@@ -131,6 +124,7 @@ void FrameWriter::write(Frame&& frame) {
 void FrameWriter::finish(RunTotals& totals) {
   const Stopwatch draining;
   sink_.drain();
+  if (stream_) stream_->finish();
   totals.drain_ms = draining.elapsed_ms();
   add_kept_rows_before(kNoFrame);
   if (timings_) {

@@ -37,7 +37,10 @@ class FrameWriter {
   FrameWriter(const OutputOptions& options, const OutputPaths& paths, const RenderJob& job, int threads);
 
   /// Before the first frame, once it is known where passes run.
-  void start(const RunFacts& facts) { metadata_ = run_metadata(job_, facts, layered_); }
+  void start(const RunFacts& facts) {
+    metadata_ = run_metadata(job_, facts, layered_);
+    metadata_.halfs = options_.exr == ExrNumbers::half;
+  }
 
   /// Whether the files of a frame are there and are what this run would write, byte for byte; then their row of an
   /// earlier timings.csv is kept too. Asked for each frame, in order, before it is rendered. Frames of the contact
@@ -61,10 +64,10 @@ class FrameWriter {
   SheetCollector sheet_;
   std::optional<TimingsCsv> timings_;
   FileSink sink_;
+  std::optional<PictureStream> stream_;  ///< takes the pictures, and the sink no more than the contact sheet
 
   bool is_kept(int frame) const;
   void add_kept_rows_before(int frame);
-  void write_to_stream(const Image& picture, const ImageMetadata& metadata);
 };
 
 }  // namespace hybridrt::cli

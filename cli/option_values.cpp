@@ -30,6 +30,18 @@ double parse_fov(const char* option, const std::string& text) {
   return degrees * kPi / 180;
 }
 
+FrameRate parse_frame_rate(const char* option, const std::string& text) {
+  constexpr int kMost = 1'000'000;
+  const size_t stroke = std::min(text.find('/'), text.size());
+  FrameRate rate;
+  const bool per_given = stroke < text.size();
+  if (!parse_number(text.substr(0, stroke), rate.count) || rate.count < 1 || rate.count > kMost ||
+      (per_given && !parse_number(text.substr(stroke + 1), rate.per)) || rate.per < 1 || rate.per > kMost)
+    throw error(ErrorKind::usage, "{} {}: must be a whole number, or two as in 30000/1001, from 1 to {}", option, text,
+                kMost);
+  return rate;
+}
+
 double parse_percent(const char* option, const std::string& text) {
   double percent = 0;
   if (!parse_number(text, percent) || !(percent >= 0 && percent <= 100))

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/named.h"
+#include "core/image_io/video_frame.h"
 #include "core/render/settings.h"
 
 namespace hybridrt::cli {
@@ -41,6 +42,9 @@ uint32_t parse_aovs(const char* option, const std::string& text);
 
 /// Bytes: a number followed by K, M, G or T (powers of 1024), optionally with B or iB. "none" is no limit.
 uint64_t parse_bytes(const char* option, const std::string& text);
+
+/// A whole number from 1 to a million, or two with a stroke between them: 25, 30000/1001.
+FrameRate parse_frame_rate(const char* option, const std::string& text);
 
 /// "true" or "false".
 bool parse_flag(const char* option, const std::string& text);

@@ -120,20 +120,41 @@ bool is_stream(const std::string& name) {
   return fs::is_other(fs::status(name, missing)) && !can_write_format(name);
 }
 
+/// Several frames are a video: a reader could not tell PNGs apart that follow one another. A device keeps nothing, and
+/// takes what files would hold.
+StreamTarget stream_target(const OutputOptions& options, const RenderJob& job) {
+  StreamTarget target{options.pattern, options.video, options.rate.value_or(FrameRate())};
+  if (!target.video && job.frames.count() > 1 && !is_device(options.pattern)) target.video = VideoFormat::y4m;
+  if (target.video && job.settings.alpha)
+    throw error(ErrorKind::usage, "-o {}: {} has no alpha channel; leave --alpha out, or write files like x.####.png",
+                options.pattern, name_in(kVideoFormats, *target.video));
+  if (options.rate && target.video != VideoFormat::y4m)
+    throw error(ErrorKind::usage, "--fps is told by y4m alone, and -o {} is {} here; leave it out", options.pattern,
+                target.video ? "rgb24" : "a PNG");
+  return target;
+}
+
+/// Options that would have no effect on files.
+void require_options_of_files(const OutputOptions& options, const fs::path& first) {
+  if (options.video || options.rate)
+    throw error(ErrorKind::usage, "{} is for pipes, and {} is a file; give -o -, or leave it out",
+                options.video ? "--pipe" : "--fps", first.string());
+  if (options.exr && !keeps_layers(first.string()))
+    throw error(ErrorKind::usage, "--exr {}: {} is no EXR file; write one, or leave it out",
+                name_in(kExrNumbers, *options.exr), first.string());
+}
+
 /// Nothing else may go to standard output then.
 OutputPaths pictures_to_stream(const OutputOptions& options, const RenderJob& job, RunFiles& files,
                                FileClaims& claims) {
   const bool standard_output = options.pattern == "-";
   if (standard_output && (options.json || options.timings == "-"))
-    throw error(ErrorKind::usage, "-o - wants standard output for the picture; give {} too, or leave it out",
+    throw error(ErrorKind::usage, "-o - wants standard output for the pictures; give {} too, or leave it out",
                 options.json ? "--json a picture file" : "--timings a file");
-  if (job.frames.count() > 1 && !is_device(options.pattern))
-    throw error(ErrorKind::usage, "-o {} takes one frame; choose it by --frames 7-7, or write files like x.####.png",
-                options.pattern);
   if (job.settings.aovs != 0)
     throw error(ErrorKind::usage, "-o {} takes no --aov; write files like x.####.png", options.pattern);
   OutputPaths paths;
-  paths.stream = options.pattern;
+  paths.stream = stream_target(options, job);
   paths.timings = options.timings;
   if (!options.contact_sheet.empty()) require_writable_format(options.contact_sheet);
   add_tables(options, paths, files);
@@ -182,6 +203,7 @@ OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source
   paths.pattern = parse_output_pattern(options.pattern.empty() ? usual : options.pattern, job.frames.count() > 1);
   const fs::path first = output_path(paths.pattern, job.frames.lowest());
   require_writable_format(first);
+  require_options_of_files(options, first);
   const PixelRect picture = picture_rect(job.settings);
   require_writable_size(first, picture.width_px, picture.height_px);
   if (job.settings.alpha && !keeps_alpha(first.string()))

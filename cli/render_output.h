@@ -1,12 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "cli/picture_stream.h"
 #include "core/base/file_claims.h"
 #include "core/base/named.h"
 #include "core/base/run_files.h"
 #include "core/base/warnings.h"
+#include "core/image_io/encode_options.h"
+#include "core/image_io/video_frame.h"
 #include "core/load/scene_source.h"
 #include "core/render/output_pattern.h"
 #include "core/render/render_job.h"
@@ -23,13 +27,21 @@ struct OutputOptions {
   std::string pattern, timings, contact_sheet;
   Existing existing = Existing::overwrite;
   bool json = false, quiet = false, verbose = false;
+  Compression compression = Compression::fast;
+  std::optional<ExrNumbers> exr;     ///< default: float
+  std::optional<VideoFormat> video;  ///< into a pipe; default: y4m for several frames, PNG for one
+  std::optional<FrameRate> rate;     ///< default: 25
 };
+
+/// How the pictures are encoded.
+inline EncodeOptions encode_options(const OutputOptions& options) {
+  return {options.compression, options.exr.value_or(ExrNumbers::single)};
+}
 
 /// Where a run's files go.
 struct OutputPaths {
-  /// Not empty: "-" (standard output), a descriptor, pipe or device that takes all pictures, as PNG. Then `pattern` is
-  /// empty, and tables are written only where asked for.
-  std::string stream;
+  /// If it has a name, it takes all pictures; then `pattern` is empty, and tables are written only where asked for.
+  StreamTarget stream;
   OutputPattern pattern;
   std::string timings;           ///< may be "-"; empty: none
   std::filesystem::path report;  ///< empty: none

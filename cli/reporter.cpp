@@ -97,7 +97,9 @@ void Reporter::end(const RunTotals& totals, bool stopped) {
           {"stopped", stopped},
           {"state", stopped ? "stopped" : "done"},
           {"exit_code", static_cast<int>(interrupted_or(ExitCode::ok))},
-          {"frames_per_second", totals.frames_per_second()}});
+          {"frames_per_second", totals.frames_per_second()},
+          {"rendered_per_second", totals.rendered_per_second()},
+          {"written_per_second", totals.written_per_second()}});
 }
 
 void report_failure(const Error& problem) {

@@ -72,11 +72,15 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
   report["accel_build_ms"] = facts.accel_build_ms;
   report["ready_ms"] = facts.ready_ms;
   report["rendering_ms"] = totals.rendering_ms;
+  report["waited_ms"] = totals.waited_ms;
   report["drain_ms"] = totals.drain_ms;
+  report["write_ms"] = totals.write_ms;
   report["frames"] = totals.frames;
   report["repeated_frames"] = totals.repeated;
   report["kept_frames"] = totals.kept;
   report["frames_per_second"] = totals.frames_per_second();
+  report["rendered_per_second"] = totals.rendered_per_second();
+  report["written_per_second"] = totals.written_per_second();
   report["peak_memory_mib"] = peak_memory_mib();
   report["warnings"] = warnings;
   return report;

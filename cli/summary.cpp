@@ -15,6 +15,8 @@ std::string rays(int64_t count) {
   return fmt::format("{:.2f} M", static_cast<double>(count) * 1e-6);
 }
 
+double per_second(int64_t frames, double ms) { return ms > 0 ? static_cast<double>(frames) / (ms * 1e-3) : 0; }
+
 std::string name_of_row(size_t pass, const RenderJob& job) {
   static constexpr const char* kNames[] = {"1 light buffer",    "2 triangle ids", "3 marking", "  readback",
                                            "4 rays on the CPU", "  upload",       "5 shading", "  download"};
@@ -89,14 +91,19 @@ void RunTotals::add(const Frame& frame) {
   row[kWall] = static_cast<float>(frame.timings.wall_ms);
 }
 
-double RunTotals::frames_per_second() const { return wall_ms > 0 ? static_cast<double>(frames) / (wall_ms * 1e-3) : 0; }
+double RunTotals::frames_per_second() const { return per_second(frames, wall_ms); }
+double RunTotals::rendered_per_second() const { return per_second(frames, rendering_ms - waited_ms); }
+double RunTotals::written_per_second() const { return per_second(frames, rendering_ms + drain_ms); }
 
 std::string summary_table(const RenderJob& job, const RunTotals& totals) {
-  return times_table(job, totals) + rays_table(job, totals) +
-         fmt::format("{} frame{}{}{}, {:.2f} frames/s\n", totals.frames, totals.frames == 1 ? "" : "s",
+  std::string out = times_table(job, totals) + rays_table(job, totals);
+  out += fmt::format("{} frame{}{}{}\n", totals.frames, totals.frames == 1 ? "" : "s",
                      totals.kept ? fmt::format(", {} kept", totals.kept) : "",
-                     totals.repeated ? fmt::format(" ({} show what the one before shows)", totals.repeated) : "",
-                     totals.frames_per_second());
+                     totals.repeated ? fmt::format(" ({} show what the one before shows)", totals.repeated) : "");
+  out += fmt::format("rendered {:>10.2f} frames/s\n", totals.rendered_per_second());
+  out += fmt::format("written  {:>10.2f} frames/s; rendering waited {:.2f} s for it, {:.2f} s were left at the end\n",
+                     totals.written_per_second(), totals.waited_ms * 1e-3, totals.drain_ms * 1e-3);
+  return out;
 }
 
 }  // namespace hybridrt::cli

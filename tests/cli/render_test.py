@@ -72,7 +72,7 @@ class RenderTest(CliTestCase):
                               capture_output=True, timeout=120)
         self.assertEqual((done.returncode, done.stdout), (0, self.read("file.png")))
         self.assertEqual(self.files(), ["file.png", "run.json", "timings.csv"], "no tables that nobody asked for")
-        for wrong in (("--frames", "2"), ("--timings", "-"), ("--json",), ("--aov", "id")):
+        for wrong in (("--timings", "-"), ("--json",), ("--aov", "id")):
             self.fail_with(2, "render", SCENE, *SMALL, "-o", "-", *wrong, says="-o -")
 
     def test_another_render_into_a_folder_keeps_the_first_ones_tables(self):

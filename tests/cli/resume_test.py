@@ -62,6 +62,16 @@ class ResumeTest(CliTestCase):
                     self.assertEqual(os.stat(self.path("out", name)).st_mtime_ns, stamp, "written again")
             stamps = {name: os.stat(self.path("out", name)).st_mtime_ns for name in whole}
 
+    def test_numbers_of_an_exr_decide_pixels_and_packing_does_not(self):
+        self.render(output="out/x.####.exr", frames=2)
+        floats = self.files()
+        self.assertEqual(self.kept_by("--compression", "small", output="out/x.####.exr", frames=2), 2)
+        self.assertEqual(self.kept_by("--exr", "half", output="out/x.####.exr", frames=2), 0)
+        self.assertLess(len(self.files()["x.0001.exr"]), len(floats["x.0001.exr"]))
+        self.assertEqual(self.kept_by("--exr", "half", output="out/x.####.exr", frames=2), 2)
+        self.assertEqual(self.kept_by(output="out/x.####.exr", frames=2), 0)
+        self.assertEqual(self.files(), floats)
+
     def test_anything_that_decides_pixels_renders_again(self):
         self.render(frames=2)
         for change in (("--light", "1,2,3"), ("--fov", "30"), ("--method", "raytrace"), ("--shadows", "rays"),
