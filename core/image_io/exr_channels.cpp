@@ -42,8 +42,7 @@ std::vector<ExrChannel> exr_channels(const Image& image, ExrNumbers numbers) {
                           layer.numbers.empty() ? bits_of(layer.values.data() + c) : layer.numbers.data() + c,
                           layer.channels.size()});
   }
-  std::sort(channels.begin(), channels.end(),
-            [](const ExrChannel& a, const ExrChannel& b) { return a.name < b.name; });
+  std::sort(channels.begin(), channels.end(), [](const ExrChannel& a, const ExrChannel& b) { return a.name < b.name; });
   return channels;
 }
 

@@ -97,12 +97,11 @@ void write_header(const ExrFile& file, const Image& image, const std::vector<Exr
 /// The bytes of a block apart, those at even places before those at odd ones, then each as its difference from the one
 /// before: what OpenEXR's ZIP packs.
 void take_apart(std::span<const uint8_t> block, std::span<uint8_t> scratch, std::span<uint8_t> out) {
-  const size_t half = (block.size() + 1) / 2;
-  for (size_t i = 0; i < block.size() / 2; ++i) {
+  const size_t half = block.size() / 2;  // values have two bytes or four
+  for (size_t i = 0; i < half; ++i) {
     scratch[i] = block[2 * i];
     scratch[half + i] = block[2 * i + 1];
   }
-  if (block.size() % 2) scratch[half - 1] = block.back();
   out[0] = scratch[0];
   for (size_t i = 1; i < block.size(); ++i) out[i] = static_cast<uint8_t>(scratch[i] - scratch[i - 1] + 128);
 }
@@ -143,8 +142,8 @@ std::vector<unsigned char> encode_exr(const Image& linear, const std::string& na
     }
     const PackedBytes& packed = options.compression == Compression::small ? small : fast.packed();
     const bool worth = packed.size() < raw.size();  // else a block is as it was
-    file.check(exr_write_scanline_chunk(file, 0, y, worth ? packed.data() : raw.data(),
-                                        worth ? packed.size() : raw.size()));
+    file.check(
+        exr_write_scanline_chunk(file, 0, y, worth ? packed.data() : raw.data(), worth ? packed.size() : raw.size()));
   }
   file.finish();
   return bytes;

@@ -15,8 +15,8 @@ namespace hybridrt {
 /// With half numbers the picture's own channels are halfs, unless a value is too large for one: then they are floats.
 /// Layers keep their numbers. Equal arguments give equal bytes. Starts no thread. Throws Error (output), naming `name`.
 ///
-/// OpenEXR's core library writes the file. Its blocks are packed here, by its ZIP (bytes apart, differences, zlib), since
-/// its zlib takes 88 ms for floats of 1024x768 pixels.
+/// OpenEXR's core library writes the file. Its blocks are packed here, by its ZIP (bytes apart, differences, zlib),
+/// since its zlib takes 88 ms for floats of 1024x768 pixels.
 std::vector<unsigned char> encode_exr(const Image& linear, const std::string& name, const std::string& description,
                                       const EncodeOptions& options);
 

@@ -31,7 +31,8 @@ Weights weights(double red, double green, double blue, double zero) {
 
 void write_planes(const std::vector<uint8_t>& rgb, size_t pixels, uint8_t* plane) {
   constexpr double kRed = 0.2126, kGreen = 0.7152, kBlue = 0.0722;
-  constexpr double kLuma = 219.0 / 255, kToBlue = 224.0 / 255 / (2 * (1 - kBlue)), kToRed = 224.0 / 255 / (2 * (1 - kRed));
+  constexpr double kLuma = 219.0 / 255, kToBlue = 224.0 / 255 / (2 * (1 - kBlue)),
+                   kToRed = 224.0 / 255 / (2 * (1 - kRed));
   const Weights luma = weights(kLuma * kRed, kLuma * kGreen, kLuma * kBlue, 16);
   const Weights to_blue = weights(-kToBlue * kRed, -kToBlue * kGreen, kToBlue * (1 - kBlue), 128);
   const Weights to_red = weights(kToRed * (1 - kRed), -kToRed * kGreen, -kToRed * kBlue, 128);

@@ -104,8 +104,8 @@ void measure(const std::string& picture, const Image& image, int rounds, std::ve
   const double first_ms = encoders.front().median();
   const auto first_bytes = static_cast<double>(encoders.front().bytes);
   for (Encoder& encoder : encoders)
-    std::printf("%s,%s,%.2f,%zu,%.3f,%.3f\n", picture.c_str(), encoder.name.c_str(), encoder.median(), encoder.bytes,
-                encoder.median() / first_ms, static_cast<double>(encoder.bytes) / first_bytes);
+    std::printf("%s,\"%s\",%.2f,%zu,%.3f,%.3f\n", picture.c_str(), encoder.name.c_str(), encoder.median(),
+                encoder.bytes, encoder.median() / first_ms, static_cast<double>(encoder.bytes) / first_bytes);
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 import json
 import os
+import shutil
 import struct
+import subprocess
 import unittest
 
 from cli_test_case import SCENE, SMALL, CliTestCase, Png
@@ -62,6 +64,24 @@ class AlphaTest(CliTestCase):
         self.succeed("render", "scene.json", *SMALL, "-q", "-o", "b.png", "--background", "0,0,1")
         self.assertEqual(Png.read(self.path("b.png")).pixel(0, 0), (0, 0, 255))
         self.fail_with(2, "render", SCENE, "--background", "-1,0,0", says="--background")
+
+
+class PngTest(CliTestCase):
+    def test_packing_changes_no_pixel(self):
+        for name, options in (("fast", ()), ("small", ("--compression", "small"))):
+            self.render(*options, "--alpha", "-o", name + ".png")
+        self.assertEqual(Png.read(self.path("fast.png")).rows, Png.read(self.path("small.png")).rows)
+        self.assertLess(len(self.read("small.png")), len(self.read("fast.png")))
+        self.fail_with(2, "render", SCENE, *SMALL, "--compression", "tiny", says="fast, small")
+
+    @unittest.skipUnless(shutil.which("pngcheck"), "no pngcheck")
+    def test_pngcheck_finds_nothing(self):
+        for number, options in enumerate(((), ("--alpha",), ("--compression", "small"), ("--aov", "id,depth,shadow"),
+                                          ("--contact-sheet", "sheet.png"), ("--crop", "40,30,1,1"), ("--crop", "40,3,1,60"))):
+            self.render(*options, "-o", f"{number}.png")
+        pictures = [name for name in self.files() if name.endswith(".png")]
+        done = subprocess.run(["pngcheck", "-q", *pictures], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
 
 
 class ExrHeaderTest(CliTestCase):
