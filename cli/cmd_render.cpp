@@ -184,7 +184,6 @@ void add_render_command(CLI::App& app, const std::vector<std::string>& command_l
       "Examples:\n"
       "  hybridrt render scene:chess --size 1920x1080 --samples 8\n"
       "  hybridrt render car.obj --frames 1000 -o turn/car.####.png --resume\n"
-      "  hybridrt render car.obj --frames 250 -o - | ffmpeg -i - turn.mp4\n"
       "  hybridrt render hall.json --camera walk.json --frames 1-240:10 --contact-sheet walk.png");
   command->callback([options, output, command_line, &chosen] {
     chosen = [=] { return render_and_report(*options, *output, command_line); };

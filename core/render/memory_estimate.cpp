@@ -81,8 +81,10 @@ size_t picture_bytes(const RenderSettings& s) {
 }  // namespace
 
 uint64_t most_written_bytes(const RenderSettings& s, int threads) {
-  constexpr uint64_t kLeast = uint64_t{64} << 20;
-  return std::max(kLeast, picture_bytes(s) * (static_cast<uint64_t>(threads) + 2));
+  constexpr uint64_t kSlackBytes = uint64_t{64} << 20, kMostPictures = 64;
+  const uint64_t picture = picture_bytes(s);
+  const uint64_t slack = std::min(kSlackBytes / picture, kMostPictures);
+  return picture * std::max<uint64_t>(slack, static_cast<uint64_t>(threads) + 2);
 }
 
 MemoryEstimate estimate_frame_memory(const RenderSettings& s, size_t light_count, int threads, int64_t frame_count) {

@@ -22,7 +22,8 @@ struct MemoryEstimate {
 };
 
 /// What pictures may hold that wait to be written or are being written (WriteQueue): one for each thread and two that
-/// wait, so that no core that is free waits for a picture; small ones more, so that a disk may pause for a while.
+/// wait, or up to 64 MiB, so that the disk may pause without holding up the renderer; not more than 64 of them, so that
+/// a signal, after which they are still written, does not take long.
 uint64_t most_written_bytes(const RenderSettings& settings, int threads);
 
 /// The part that is known without a scene: gpu_frames, frames and pictures, for a sequence of `frame_count`.

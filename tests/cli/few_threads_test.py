@@ -35,7 +35,7 @@ class FewThreadsTest(CliTestCase):
 
     def test_whichever_thread_is_the_first_to_be_refused(self):
         codes = set()
-        for space_mib in range(1024, 5120, 256):
+        for space_mib in range(256, 3072, 128):
             limit = bounded(space_mib, stack_mib=256)
             if self.code_on_a_terminal(limit, "--help") != 0:
                 continue  # libraries start threads of their own before main()

@@ -8,6 +8,8 @@ import sys
 import tempfile
 import unittest
 
+from png_file import Png
+
 BINARY = os.path.abspath(sys.argv.pop(1))
 
 # A pyramid on a floor; every side is at a different place in the picture.
@@ -70,27 +72,8 @@ class SceneInputTest(unittest.TestCase):
 
     def pixels(self, name):
         """Width, height and rows of a PNG, by our own decoder."""
-        import zlib
-        with open(self.path(name), "rb") as file:
-            data = file.read()
-        at, packed = 8, b""
-        while at < len(data):
-            size, = struct.unpack(">I", data[at:at + 4])
-            kind, body = data[at + 4:at + 8], data[at + 8:at + 8 + size]
-            at += 12 + size
-            if kind == b"IHDR":
-                width, height = struct.unpack(">II", body[:8])
-            if kind == b"IDAT":
-                packed += body
-        raw, rows, above = zlib.decompress(packed), [], bytes(3 * width)
-        for y in range(height):
-            kind, row = raw[y * (3 * width + 1)], bytearray(raw[y * (3 * width + 1) + 1:(y + 1) * (3 * width + 1)])
-            self.assertIn(kind, (0, 2), "the encoder filters by the row above, or not at all")
-            if kind == 2:
-                row = bytearray((a + b) & 255 for a, b in zip(row, above))
-            rows.append(bytes(row))
-            above = rows[-1]
-        return width, height, rows
+        picture = Png.read(self.path(name))
+        return picture.width, picture.height, picture.rows
 
     def same(self, a, b):
         return self.pixels(a) == self.pixels(b)
