@@ -41,6 +41,7 @@ packages=(
 optional=(
   ffmpeg                 # reads what -o - writes
   pngcheck               # reads our PNGs
+  qemu-user              # writes them on other processors
   chromium               # opens reports
 )
 

@@ -2,12 +2,13 @@
 
 import json
 import os
+import platform
 import shutil
 import struct
 import subprocess
 import unittest
 
-from cli_test_case import SCENE, SMALL, CliTestCase, Png
+from cli_test_case import BINARY, SCENE, SMALL, CliTestCase, Png
 
 BOX = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n" \
       "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
@@ -82,6 +83,17 @@ class PngTest(CliTestCase):
         pictures = [name for name in self.files() if name.endswith(".png")]
         done = subprocess.run(["pngcheck", "-q", *pictures], cwd=self.folder, capture_output=True, text=True, timeout=60)
         self.assertEqual((done.returncode, done.stdout), (0, ""))
+
+    @unittest.skipUnless(shutil.which("qemu-x86_64") and platform.machine() == "x86_64", "no qemu-user")
+    def test_the_processor_decides_no_byte(self):
+        for name, light in (("a", "1,2,3"), ("b", "-1,2,-3")):
+            self.render("--light", light, "-o", name + ".png")
+        for extension in ("png", "exr"):
+            for processor in ("", "Nehalem", "Haswell"):
+                emulator = ["qemu-x86_64", "-cpu", processor] if processor else []
+                subprocess.run([*emulator, BINARY, "compare", "a.png", "b.png", "--diff", f"d{processor}.{extension}"],
+                               cwd=self.folder, capture_output=True, timeout=200)
+                self.assertEqual(self.read("d." + extension), self.read(f"d{processor}.{extension}"), processor)
 
 
 class ExrHeaderTest(CliTestCase):
