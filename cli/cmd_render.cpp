@@ -32,7 +32,13 @@ void print_summary(const OutputOptions& output, const OutputPaths& paths, const 
   if (!output.contact_sheet.empty()) fmt::print("sheet    {}\n", output.contact_sheet);
 }
 
-ExitCode render(const RenderOptions& given, const OutputOptions& output, const std::vector<std::string>& command_line) {
+/// Whether frames of the --sequence are left to other runs.
+bool is_part(const RenderOptions& options, const FrameSpec& frames) {
+  const std::optional<FrameRange>& whole = options.sequence;
+  return whole && frames.count() < int64_t{whole->last} - whole->first + 1;
+}
+
+ExitCode render(const RenderOptions& given, const OutputOptions& asked, const std::vector<std::string>& command_line) {
   show_status_on_signal();
   set_status("loading the scene");
   Warnings warnings;
@@ -43,7 +49,7 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   const int threads = thread_count(options);
   gl::limit_software_threads(threads);  // before the first thread is started
   ThreadPool pool(threads);
-  RenderJob job = load_showing_progress(options, source, pool, warnings, output.quiet || output.json);
+  RenderJob job = load_showing_progress(options, source, pool, warnings, asked.quiet || asked.json);
   topology_warnings(job.scene, job.topology, warnings);
   totals.load_ms = loading.elapsed_ms();
   set_status("preparing the first frame");
@@ -51,6 +57,8 @@ ExitCode render(const RenderOptions& given, const OutputOptions& output, const s
   add_files_read(options, source, files);
   add_files_read(job.scene, files);
   FileClaims claims;
+  OutputOptions output = asked;
+  output.is_part = is_part(options, job.frames);
   const OutputPaths paths = prepare_output(output, source, job, files, claims, warnings);
 
   Reporter reporter(output, job.frames.count());

@@ -20,6 +20,7 @@ void add_compare_command(CLI::App& app, Command& chosen);
 void add_golden_command(CLI::App& app, Command& chosen);
 void add_doctor_command(CLI::App& app, Command& chosen);
 void add_inspect_command(CLI::App& app, Command& chosen);
+void add_merge_command(CLI::App& app, Command& chosen);
 /// `command_line`: all of it, for run.json.
 void add_render_command(CLI::App& app, const std::vector<std::string>& command_line, Command& chosen);
 void add_report_command(CLI::App& app, Command& chosen);

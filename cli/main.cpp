@@ -67,6 +67,7 @@ void add_commands(CLI::App& app, const std::vector<std::string>& command_line, A
   app.add_flag("--version", asked.version, "Version, commit, compiler, libraries");
   app.add_flag("--json", asked.as_json, "With --version: as one JSON object, with the GL renderer");
   add_render_command(app, command_line, asked.command);
+  add_merge_command(app, asked.command);
   add_sweep_command(app, command_line, asked.command);
   add_report_command(app, asked.command);
   add_tune_command(app, asked.command);

@@ -1,11 +1,9 @@
 #include "cli/render_output.h"
 
 #include <fmt/format.h>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <unistd.h>
 
+#include "cli/table_names.h"
 #include "core/base/error.h"
 #include "core/base/given_descriptor.h"
 #include "core/base/output_file.h"
@@ -19,42 +17,18 @@ namespace {
 namespace fs = std::filesystem;
 using Answer = FileClaims::Answer;
 
-bool is_whole(const RenderJob& job) {
-  const FrameRange& whole = job.motion.sequence;
-  return job.frames.lowest() == whole.first && job.frames.highest() == whole.last;
-}
-
-/// Sets timings and report: `timings.csv`, or `timings.0001-0010.csv` with `range`.
-void name_tables(const OutputOptions& options, const RenderJob& job, bool range, OutputPaths& paths) {
-  const std::string part =
-      range ? fmt::format(".{:04}-{:04}", job.frames.lowest(), job.frames.highest()) : std::string();
+/// Sets timings and report; with `as_part` they carry the frames.
+void name_tables(const OutputOptions& options, const RenderJob& job, bool as_part, OutputPaths& paths) {
+  const std::string part = as_part ? name_part_of(job.frames) : "";
   const fs::path folder = common_folder(paths.pattern);
-  paths.timings = options.timings.empty() ? (folder / ("timings" + part + ".csv")).string() : options.timings;
-  // Beside the CSV, but not in /dev.
-  const bool is_file = paths.timings != "-" && !descriptor_named_by(paths.timings) &&
-                       (!fs::exists(paths.timings) || fs::is_regular_file(paths.timings));
-  paths.report = (is_file ? fs::path(paths.timings).parent_path() : folder) / ("run" + part + ".json");
-}
-
-/// The pattern of the pictures that a run.json is about; nothing if it is no run.json of ours, or an old one.
-std::optional<std::string> pattern_in_report(const fs::path& report) {
-  if (!fs::is_regular_file(report)) return std::nullopt;
-  std::ifstream file(report);
-  const nlohmann::json read = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
-  const auto pattern = nlohmann::json::json_pointer("/outputs/pattern");
-  if (!read.is_object() || !read.contains(pattern) || !read[pattern].is_string()) return std::nullopt;
-  return read[pattern].get<std::string>();
-}
-
-/// Another render into the same folder keeps its tables: this run's get the pictures' name.
-void keep_others_tables(const OutputOptions& options, OutputPaths& paths) {
-  const fs::path usual = paths.report;
-  if (usual.filename() != "run.json" || !fs::exists(usual)) return;
-  const auto other = pattern_in_report(usual);
-  if (other == paths.pattern.folder + paths.pattern.name) return;
-  const std::string stem = stem_of(paths.pattern);
-  if (options.timings.empty()) paths.timings = (usual.parent_path() / (stem + ".timings.csv")).string();
-  paths.report = usual.parent_path() / (stem + ".run.json");
+  // The report lies beside the CSV, but not in /dev.
+  const std::string& timings = options.timings;
+  const bool is_file = !timings.empty() && timings != "-" && !descriptor_named_by(timings) &&
+                       (!fs::exists(timings) || fs::is_regular_file(timings));
+  const TableNames names = table_names(is_file ? fs::path(timings).parent_path() : folder, part, paths.pattern);
+  paths.timings = timings.empty() ? names.timings.string() : timings;
+  paths.report = names.report;
+  paths.part = options.is_part ? part : "";
 }
 
 bool is_taken(FileClaims& claims, const fs::path& file) { return file != "-" && claims.claim(file) == Answer::taken; }
@@ -93,7 +67,7 @@ void claim_all(const OutputOptions& options, const RenderJob& job, OutputPaths& 
   if (!options.contact_sheet.empty()) require_free(is_taken(claims, options.contact_sheet), options.contact_sheet);
   if (!options.timings.empty()) require_free(is_taken(claims, options.timings), options.timings);
 
-  if (is_whole(job) && (is_taken(claims, paths.timings) || is_taken(claims, paths.report))) {
+  if (!options.is_part && (is_taken(claims, paths.timings) || is_taken(claims, paths.report))) {
     const std::string usual = paths.report.string();
     name_tables(options, job, true, paths);
     warnings.push_back(fmt::format("another run is writing {} or its timings; those of this run go to {}{}", usual,
@@ -211,8 +185,7 @@ OutputPaths prepare_output(const OutputOptions& given, const SceneSource& source
                 first.string());
   if (!options.contact_sheet.empty()) require_writable_format(options.contact_sheet);
 
-  name_tables(options, job, !is_whole(job), paths);
-  keep_others_tables(options, paths);
+  name_tables(options, job, options.is_part, paths);
   require_files_apart(options, job, paths, files);
   if (options.existing == Existing::refuse) require_none_there(job, paths.pattern);
   claim_all(options, job, paths, claims, warnings);

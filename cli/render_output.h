@@ -31,6 +31,7 @@ struct OutputOptions {
   std::optional<ExrNumbers> exr;     ///< default: float
   std::optional<VideoFormat> video;  ///< into a pipe; default: y4m for several frames, PNG for one
   std::optional<FrameRate> rate;     ///< default: 25
+  bool is_part = false;  ///< of a longer --sequence: tables carry the frames
 };
 
 /// How the pictures are encoded.
@@ -45,6 +46,7 @@ struct OutputPaths {
   OutputPattern pattern;
   std::string timings;           ///< may be "-"; empty: none
   std::filesystem::path report;  ///< empty: none
+  std::string part;              ///< the frames in the tables' names (name_part_of()); empty: the whole sequence
 };
 
 /// Decides the paths before anything is rendered: makes the folders, tests that each file can be written, and claims

@@ -47,6 +47,20 @@ Json lights(const RenderJob& job) {
 
 std::string hex(uint64_t number) { return fmt::format("{:016x}", number); }
 
+/// Equal for runs whose frames belong to one sequence, whichever frames each has, and whatever draws them: scene,
+/// settings, and camera and lights here and there in it.
+uint64_t sequence_fingerprint(uint64_t scene, const RenderJob& job) {
+  const FrameRange& whole = job.motion.sequence;
+  RenderSettings settings = job.settings;
+  settings.forms = PassForms::cpu;
+  constexpr int kPlaces = 8;
+  for (int place = 0; place <= kPlaces; ++place) {
+    const auto frame = whole.first + (int64_t{whole.last} - whole.first) * place / kPlaces;
+    scene = fingerprint(scene, frame_request(job, static_cast<int>(frame)), settings);
+  }
+  return scene;
+}
+
 }  // namespace
 
 Json run_inputs(const std::vector<std::string>& command_line, const RenderOptions& options, const RenderJob& job,
@@ -66,8 +80,12 @@ Json run_inputs(const std::vector<std::string>& command_line, const RenderOption
           {"background", numbers(job.settings.background)},
           {"alpha", job.settings.alpha},
           {"ground", options.ground},
-          {"outputs", {{"pattern", paths.pattern.folder + paths.pattern.name}, {"timings", paths.timings}}},
+          {"outputs",
+           {{"pattern", paths.pattern.folder + paths.pattern.name},
+            {"timings", paths.timings},
+            {"part", paths.part.empty() ? Json(nullptr) : Json(paths.part)}}},
           {"scene_fingerprint", hex(scene)},
+          {"sequence_fingerprint", hex(sequence_fingerprint(scene, job))},
           {"fingerprints", fingerprints}};
 }
 

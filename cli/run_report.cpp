@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 
 #include "cli/version.h"
+#include "core/render/picture_files.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -58,6 +59,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
       {"reflection_depth", s.reflection_depth},
       {"samples", s.samples},
       {"adaptive", s.adaptive},
+      {"aovs", aov_names(s.aovs)},
       {"frames_in_flight", s.frames_in_flight}};
   report["gl"] = facts.gl ? json{{"device", facts.gl->device},
                                  {"binding", facts.gl->binding},

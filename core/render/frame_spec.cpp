@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fmt/format.h>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -103,6 +104,47 @@ FrameSpec parse_frame_spec(const std::string& text) {
       if (overlap(spec.ranges[j], spec.ranges[i]))
         throw error(ErrorKind::usage, "frames '{}': two of the ranges overlap; name every frame once", text);
   return spec;
+}
+
+FrameSpec spec_of(const std::vector<int>& frames) {
+  FrameSpec spec;
+  spec.ranges.clear();
+  for (size_t begin = 0; begin < frames.size();) {
+    size_t last = begin + 1;
+    const int step = last < frames.size() ? frames[last] - frames[begin] : 1;
+    while (last + 1 < frames.size() && frames[last + 1] - frames[last] == step) ++last;
+    const bool is_range = last < frames.size() && (step == 1 || last - begin > 1);  // two apart are two frames
+    if (!is_range) last = begin;
+    spec.ranges.push_back({frames[begin], frames[last], is_range ? step : 1});
+    begin = last + 1;
+  }
+  return spec;
+}
+
+std::string text_of(const FrameSpec& spec) {
+  std::string text;
+  for (const FrameRange& range : spec.ranges) {
+    if (!text.empty()) text += ',';
+    text += fmt::format("{}", range.first);
+    if (count_of(range) > 1 || spec.ranges.size() == 1) text += fmt::format("-{}", last_frame(range));
+    if (count_of(range) > 1 && range.step > 1) text += fmt::format(":{}", range.step);
+  }
+  return text;
+}
+
+std::string name_part_of(const FrameSpec& spec) {
+  std::string name;
+  for (const FrameRange& range : spec.ranges) {
+    if (!name.empty()) name += '+';
+    name += fmt::format("{:04}", range.first);
+    if (count_of(range) > 1 || spec.ranges.size() == 1) name += fmt::format("-{:04}", last_frame(range));
+    if (count_of(range) > 1 && range.step > 1) name += fmt::format("x{}", range.step);
+  }
+  constexpr size_t kLongest = 60;
+  if (name.size() <= kLongest) return name;
+  uint64_t hash = 0xcbf29ce484222325ull;  // FNV-1a
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+  return fmt::format("{:04}-{:04}+{:016x}", spec.lowest(), spec.highest(), hash);
 }
 
 FrameRange parse_sequence(const std::string& text) {

@@ -25,6 +25,16 @@ struct FrameSpec {
 /// Error(usage) naming what is wrong and what is allowed.
 FrameSpec parse_frame_spec(const std::string& text);
 
+/// The spec of these frames, which ascend: as few ranges, some with a step, as going through them once gives.
+FrameSpec spec_of(const std::vector<int>& frames);
+
+/// parse_frame_spec() gives the spec back: `1-100:5`, `1-10,20`, `5-5`.
+std::string text_of(const FrameSpec& spec);
+
+/// The frames in a file's name: `0001-0010`, `0001-0009x2`, `0001-0010+0020`. Of many ranges the lowest and highest
+/// frame and a hash of them all, so that different specs have different names.
+std::string name_part_of(const FrameSpec& spec);
+
 /// `A-B` with A <= B.
 FrameRange parse_sequence(const std::string& text);
 

@@ -29,6 +29,12 @@ class GoldenTest(CliTestCase):
     def expect_caught(self):
         self.assertIn("FAILED", self.check(6).stdout)
 
+    def test_our_own_list_says_what_draws(self):
+        here = os.path.join(os.path.dirname(__file__), "..", "..", "golden", "golden.json")
+        with open(here, encoding="utf-8") as file:
+            for case in json.load(file)["cases"]:
+                self.assertEqual(case["options"].count("--gl"), 1, case["name"])
+
     def test_update_then_check_passes(self):
         done = self.check(0, "--junit", "junit.xml")
         self.assertIn("1 of 1", done.stdout)

@@ -133,5 +133,40 @@ TEST(Sequence, IsOneRange) {
   }
 }
 
+TEST(FrameSpec, WrittenFromFrames) {
+  const auto text = [](const Frames& frames) { return text_of(spec_of(frames)); };
+  EXPECT_EQ(text({}), "");
+  EXPECT_EQ(text({5}), "5-5") << "a lone 5 would be five frames";
+  EXPECT_EQ(text({1, 2}), "1-2");
+  EXPECT_EQ(text({1, 3}), "1,3");
+  EXPECT_EQ(text({1, 3, 5}), "1-5:2");
+  EXPECT_EQ(text({1, 2, 4, 6, 8, 9}), "1-2,4-8:2,9");
+  std::mt19937 random(1);
+  for (int round = 0; round < 2000; ++round) {
+    Frames frames;
+    const unsigned density = 1 + random() % 4;
+    for (int frame = 0; frame < 30; ++frame)
+      if (random() % density == 0) frames.push_back(frame);
+    if (!frames.empty()) {
+      EXPECT_EQ(frames_of(text(frames)), frames) << text(frames);
+    }
+  }
+}
+
+TEST(FrameSpec, NamesOfPartsTellSpecsApart) {
+  EXPECT_EQ(name_part_of(parse_frame_spec("1-10")), "0001-0010");
+  EXPECT_EQ(name_part_of(parse_frame_spec("5-5")), "0005-0005");
+  EXPECT_EQ(name_part_of(parse_frame_spec("1-10:2")), "0001-0009x2");
+  EXPECT_EQ(name_part_of(parse_frame_spec("1-10,20,30-40")), "0001-0010+0020+0030-0040");
+  const auto long_list = [](int one) {
+    std::string list = "1";
+    for (int frame = 3; frame < 200; frame += 7) list += fmt::format(",{}", frame == 94 ? one : frame);
+    return name_part_of(parse_frame_spec(list));
+  };
+  EXPECT_TRUE(long_list(94).starts_with("0001-0199+")) << long_list(94);
+  EXPECT_LT(long_list(94).size(), 60u);
+  EXPECT_NE(long_list(94), long_list(95));
+}
+
 }  // namespace
 }  // namespace hybridrt
