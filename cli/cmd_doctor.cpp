@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -6,7 +7,7 @@
 #include "cli/run_report.h"
 #include "cli/version.h"
 #include "core/base/parallel.h"
-#include "core/gl/context.h"
+#include "core/gl/device_probe.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -25,13 +26,17 @@ json describe(const gl::ContextInfo& info) {
 }
 
 ExitCode doctor(bool as_json) {
-  std::vector<gl::DeviceInfo> failed;
-  const std::vector<gl::ContextInfo> usable = gl::probe_devices(failed);
+  const auto [usable, failed] = gl::probe({}, gl::ProbeScope::all);
+  const bool has_gpu = std::any_of(usable.begin(), usable.end(), [](const gl::ContextInfo& i) { return !i.software; });
 
-  json report = {{"version", kVersion},           {"commit", kCommit},
-                 {"compiler", kCompiler},         {"libraries", library_versions()},
-                 {"processor", processor_name()}, {"threads", allowed_processors()},
-                 {"gpu", gl::lists_hardware()},   {"devices", json::array()},
+  json report = {{"version", kVersion},
+                 {"commit", kCommit},
+                 {"compiler", kCompiler},
+                 {"libraries", library_versions()},
+                 {"processor", processor_name()},
+                 {"threads", allowed_processors()},
+                 {"gpu", has_gpu},
+                 {"devices", json::array()},
                  {"unusable", json::array()}};
   for (const gl::ContextInfo& info : usable) report["devices"].push_back(describe(info));
   for (const gl::DeviceInfo& device : failed)
@@ -47,9 +52,8 @@ ExitCode doctor(bool as_json) {
                  info.device, info.binding, info.renderer, info.version, info.max_texture_px);
     for (const gl::DeviceInfo& device : failed) fmt::print("- {:<12} unusable: {}\n", device.id, device.problem);
     if (!usable.empty())
-      fmt::print("\n{}\n", gl::lists_hardware()
-                               ? "* is used unless --gl or --device says otherwise"
-                               : "no GPU: all passes run on the CPU; --gl egl or osmesa and --device use *");
+      fmt::print("\n{}\n", has_gpu ? "* is used unless --gl or --device says otherwise"
+                                   : "no GPU: all passes run on the CPU; --gl egl or osmesa and --device use *");
     else
       fmt::print("\nno usable OpenGL 4.5: all passes run on the CPU\n");
   }

@@ -10,7 +10,8 @@
 namespace hybridrt::cli {
 namespace {
 
-ExitCode inspect(const RenderOptions& command_line, bool as_json) {
+ExitCode inspect(RenderOptions command_line, bool as_json) {
+  command_line.probes = nullptr;
   const SceneSource source = scene_source_of(command_line);
   const RenderOptions options = with_scene_settings(command_line, source);
   ThreadPool pool(thread_count(options));

@@ -32,13 +32,14 @@ void require_room_for_run(const RenderJob& job, const SceneSource& source, size_
 
 int thread_count(const RenderOptions& options) { return options.threads.value_or(allowed_processors()); }
 
-void set_settings(RenderJob& job, const RenderOptions& o, const SceneSource& source) {
+void set_settings(RenderJob& job, const RenderOptions& o, const SceneSource& source, Warnings& warnings) {
   job.settings = finished_settings(o);
   job.settings.background = o.background.value_or(source.background.value_or(job.settings.background));
   job.frames = parse_frame_spec(o.frames);
   job.motion.sequence = make_sequence(o, job.frames);
   const ChosenForms forms = choose_forms(o, job.settings);
   job.settings.forms = forms.forms, job.gl = forms.gl, job.forms_reason = forms.reason;
+  if (!forms.warning.empty()) warnings.push_back(forms.warning);
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
   job.most_bytes = o.most_bytes.value_or(allowed_memory());
 }
@@ -71,7 +72,7 @@ void set_camera_and_lights(RenderJob& job, const RenderOptions& o, const SceneSo
 RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, ThreadPool& pool, Warnings& warnings,
                           LoadProgress* progress) {
   RenderJob job;
-  set_settings(job, o, source);
+  set_settings(job, o, source, warnings);
   require_room_for_frames(job.settings, light_count(o, source), pool.size(), job.frames.count(), job.most_bytes);
   const Framing framing = set_loaded_scene(job, o, source, pool, warnings, progress);
   set_camera_and_lights(job, o, source, framing, pool, warnings);

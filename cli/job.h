@@ -20,7 +20,7 @@ RenderJob make_render_job(const RenderOptions& options, const SceneSource& sourc
 // Its three steps, for those who make several jobs of one scene.
 
 /// Settings, frames, forms of the passes, memory limit.
-void set_settings(RenderJob& job, const RenderOptions& options, const SceneSource& source);
+void set_settings(RenderJob& job, const RenderOptions& options, const SceneSource& source, Warnings& warnings);
 
 /// The scene, after set_settings(); returns what the default camera frames.
 Framing set_loaded_scene(RenderJob& job, const RenderOptions& options, const SceneSource& source, ThreadPool& pool,

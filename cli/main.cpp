@@ -16,6 +16,7 @@
 #include "cli/version.h"
 #include "core/base/error.h"
 #include "core/base/interrupt.h"
+#include "core/gl/device_probe.h"
 namespace hybridrt::cli {
 
 ExitCode exit_code_of(ErrorKind kind) {
@@ -127,6 +128,8 @@ ExitCode run(int argc, char** argv) {
 }  // namespace hybridrt::cli
 
 int main(int argc, char** argv) {
+  if (argc > 1 && argv[1] == std::string_view(hybridrt::gl::kProbeArgument))
+    return hybridrt::gl::answer_probe({argv + 2, argv + argc});
   hybridrt::cli::prepare_standard_streams();
   hybridrt::catch_signals();
   std::setlocale(LC_ALL, "C");  // numbers are read and written alike everywhere

@@ -10,10 +10,13 @@ namespace hybridrt::cli {
 struct ChosenForms {
   PassForms forms = PassForms::gl;
   gl::ContextRequest gl;
-  std::string reason;  ///< a line for people; empty: nobody need be told
+  std::string reason;   ///< a line for people; empty: nobody need be told
+  std::string warning;  ///< what is wrong with a GPU that is there; once per run
 };
 
-/// --device and --require-hardware imply a GL. Throws Error(usage) where options contradict each other.
+/// --device and --require-hardware imply a GL. Devices are tried in a child process (device_probe.h), unless
+/// options.probes is empty. By default a GPU whose driver fails that is left alone; a GL that was asked for is used or
+/// refused. Throws Error(usage) where options contradict each other, Error(device) for a GL that cannot be used.
 ChosenForms choose_forms(const RenderOptions& options, const RenderSettings& settings);
 
 }  // namespace hybridrt::cli

@@ -73,6 +73,7 @@ RenderOptions with_scene_settings(const RenderOptions& options, const SceneSourc
   const std::vector<RenderOption> table = render_option_table();
   RenderOptions merged;
   merged.scene = options.scene;
+  merged.probes = options.probes;
   const auto merge = [&](const std::vector<std::pair<std::string, std::string>>& settings, const std::string& where) {
     try {  // without the command line, so that errors are the file's
       for (const auto& [name, value] : settings) apply_setting(table, name, value, merged);

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/named.h"
-#include "core/gl/context.h"
+#include "core/gl/device_probe.h"
 #include "core/load/mesh_format.h"
 #include "core/load/scene_source.h"
 #include "core/render/frame_spec.h"
@@ -48,6 +49,9 @@ struct RenderOptions {
   GlUse gl_use = GlUse::automatic;
   gl::ContextRequest gl;
   std::string shaders;  ///< folder; empty: the built-in ones
+  /// What is known about GL devices; copies share it, so that a run tries each once. Empty: nothing is going to be
+  /// drawn, and none is tried.
+  std::shared_ptr<gl::Probes> probes = std::make_shared<gl::Probes>();
 
   /// Names (with dashes) and values of the options that were given, in order; filled by parsing.
   std::vector<std::pair<std::string, std::string>> given;

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
-#include "core/gl/context.h"
+#include "core/gl/device_probe.h"
 #include "core/image_io/encode_image.h"
 
 namespace hybridrt::cli {
@@ -24,12 +24,9 @@ nlohmann::ordered_json library_versions() {
 namespace {
 
 nlohmann::ordered_json gl_renderer() {
-  try {
-    const gl::ContextInfo info = gl::open_context({})->info();
-    return info.renderer + ", OpenGL " + info.version;
-  } catch (const Error&) {  // the version needs no GL
-    return nullptr;
-  }
+  const gl::ProbeResult found = gl::probe({}, gl::ProbeScope::first);
+  if (found.usable.empty()) return nullptr;
+  return found.usable.front().renderer + ", OpenGL " + found.usable.front().version;
 }
 
 }  // namespace

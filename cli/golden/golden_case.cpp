@@ -44,6 +44,7 @@ namespace {
 /// Also collects what it reads.
 CaseJob make_job(const GoldenCase& golden, const GoldenOptions& given, RunFiles& read) {
   RenderOptions command_line;
+  command_line.probes = given.probes;
   CLI::App parser;
   add_render_options(parser, command_line);
   std::vector<std::string> arguments(golden.options.rbegin(), golden.options.rend());  // CLI11 takes them in reverse

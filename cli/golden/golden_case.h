@@ -14,6 +14,7 @@ struct GoldenOptions {
   std::string list, output = "out/golden", junit, gl, device;
   std::vector<std::string> names;
   bool enforce_time = false;
+  std::shared_ptr<gl::Probes> probes = std::make_shared<gl::Probes>();  ///< of all cases
 };
 
 /// --list, or the project's own: beside the sources while working on them, else where it was installed to.

@@ -22,7 +22,7 @@ LoadedScene load_scene_of(const SweepSetting& setting, ThreadPool& pool, Warning
   LoadedScene scene;
   const Stopwatch loading;
   scene.job.repeats_still_frames = false;  // every frame is measured
-  set_settings(scene.job, setting.options, *setting.source);
+  set_settings(scene.job, setting.options, *setting.source, warnings);
   scene.framing = set_loaded_scene(scene.job, setting.options, *setting.source, pool, warnings);
   scene.load_ms = loading.elapsed_ms();
   return scene;
@@ -30,7 +30,7 @@ LoadedScene load_scene_of(const SweepSetting& setting, ThreadPool& pool, Warning
 
 void set_job(LoadedScene& scene, const SweepSetting& setting, ThreadPool& pool, Warnings& warnings) {
   RenderJob& job = scene.job;
-  set_settings(job, setting.options, *setting.source);
+  set_settings(job, setting.options, *setting.source, warnings);
   const Accel accel = job.settings.accel;
   job.caster = scene.casters[accel];
   set_camera_and_lights(job, setting.options, *setting.source, scene.framing, pool, warnings);

@@ -8,22 +8,6 @@
 namespace hybridrt::gl {
 namespace {
 
-std::unique_ptr<Context> open_device(const std::string& id) {
-  return id == kOsmesaDevice ? open_osmesa() : open_egl(id);
-}
-
-/// Every id that the request allows, best first.
-std::vector<DeviceInfo> candidates(const ContextRequest& request) {
-  std::vector<DeviceInfo> devices;
-  if (request.binding != Binding::osmesa) {
-    std::string problem;
-    devices = list_egl_devices(problem);
-    if (!problem.empty()) devices.push_back({"egl", problem});
-  }
-  if (request.binding != Binding::egl) devices.push_back({kOsmesaDevice, ""});
-  return devices;
-}
-
 /// What the environment tells Mesa and the loaders to do otherwise, as NAME=value.
 std::string overrides() {
   std::string set;
@@ -41,49 +25,55 @@ void limit_software_threads(int threads) {
   setenv("LP_NUM_THREADS", threads == 1 ? "0" : std::to_string(threads).c_str(), 1);
 }
 
-std::unique_ptr<Context> open_context(const ContextRequest& request) {
-  std::string tried;
-  bool known_device = request.device.empty();
-  for (const DeviceInfo& device : candidates(request)) {
-    if (!request.device.empty() && request.device != device.id) continue;
-    known_device = true;
-    try {
-      if (!device.problem.empty()) throw Error(ErrorKind::device, device.problem);
-      std::unique_ptr<Context> context = open_device(device.id);
-      if (context->info().software && request.require_hardware)
-        throw error(ErrorKind::device, "{} is a software renderer", context->info().renderer);
-      return context;
-    } catch (const Error& failure) {
-      tried += fmt::format("{}{}: {}", tried.empty() ? "" : "; ", device.id, failure.what());
-    }
+std::vector<DeviceInfo> list_devices(const ContextRequest& request) {
+  std::vector<DeviceInfo> devices;
+  if (request.binding != Binding::osmesa && request.device != kOsmesaDevice) {
+    std::string problem;
+    devices = list_egl_devices(problem);
+    if (!problem.empty()) devices.push_back({"egl", problem});
   }
-  if (!known_device)
-    throw error(ErrorKind::device, "there is no GL device '{}'; 'hybridrt doctor' lists them", request.device);
-  if (const std::string set = overrides(); !set.empty())
-    throw error(ErrorKind::device,
-                "no usable OpenGL 4.5 (tried {}) while the environment sets {}; unset it, or use "
-                "--method raytrace, which needs no GL",
-                tried, set);
-  throw error(ErrorKind::device,
-              "no usable OpenGL 4.5 (tried {}); install a driver or Mesa (libegl1 libgl1-mesa-dri), or use "
-              "--method raytrace, which needs none",
-              tried);
+  if (request.binding != Binding::egl) devices.push_back({kOsmesaDevice, ""});
+  if (!request.device.empty())
+    std::erase_if(devices, [&](const DeviceInfo& device) { return device.id != request.device; });
+  return devices;
 }
 
-bool lists_hardware() { return lists_egl_hardware(); }
+std::unique_ptr<Context> open_device(const DeviceInfo& device, bool require_hardware) {
+  if (!device.problem.empty()) throw Error(ErrorKind::device, device.problem);
+  std::unique_ptr<Context> context = device.id == kOsmesaDevice ? open_osmesa() : open_egl(device.id);
+  if (context->info().software && require_hardware)
+    throw error(ErrorKind::device, "{} is a software renderer", context->info().renderer);
+  return context;
+}
 
-std::vector<ContextInfo> probe_devices(std::vector<DeviceInfo>& failed) {
-  std::vector<ContextInfo> usable;
-  for (DeviceInfo device : candidates({})) {
+std::unique_ptr<Context> open_context(const ContextRequest& request) {
+  std::vector<DeviceInfo> failed;
+  for (const DeviceInfo& device : list_devices(request)) {
     try {
-      if (!device.problem.empty()) throw Error(ErrorKind::device, device.problem);
-      usable.push_back(open_device(device.id)->info());
+      return open_device(device, request.require_hardware);
     } catch (const Error& failure) {
-      device.problem = failure.what();
-      failed.push_back(device);
+      failed.push_back({device.id, failure.what()});
     }
   }
-  return usable;
+  throw no_usable_context(request, failed);
+}
+
+Error no_usable_context(const ContextRequest& request, const std::vector<DeviceInfo>& failed) {
+  if (failed.empty() && !request.device.empty())
+    return error(ErrorKind::device, "there is no GL device '{}'; 'hybridrt doctor' lists them", request.device);
+  std::string tried;
+  for (const DeviceInfo& device : failed)
+    tried += fmt::format("{}{}: {}", tried.empty() ? "" : "; ", device.id, device.problem);
+  if (const std::string set = overrides(); !set.empty())
+    return error(
+        ErrorKind::device,
+        "no usable OpenGL 4.5 (tried {}) while the environment sets {}; unset it, or use --gl off, which needs "
+        "no GL",
+        tried, set);
+  return error(ErrorKind::device,
+               "no usable OpenGL 4.5 (tried {}); install a driver or Mesa (libegl1 libgl1-mesa-dri), or use --gl off, "
+               "which needs none",
+               tried);
 }
 
 void require_limit(const char* what, long long size, const char* limit_name, long long limit) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/gl/functions.h"
 
 namespace hybridrt::gl {
@@ -30,6 +31,7 @@ struct ContextInfo {
 /// What a device is before a context is opened on it; `problem` says why it cannot be used.
 struct DeviceInfo {
   std::string id, problem;
+  bool listed_as_hardware = false;  ///< by EGL itself
 };
 
 /// An OpenGL 4.5 core context without a window, current on the thread that made it until it is destroyed.
@@ -49,15 +51,19 @@ class Context {
 /// other threads may be reading: call it before the program starts its first thread and opens a context.
 void limit_software_threads(int threads);
 
-/// Opens the best context that the request allows: EGL devices (hardware first), EGL surfaceless, OSMesa.
+/// Opens the best context that the request allows: EGL devices (hardware first), EGL surfaceless, OSMesa. A driver that
+/// crashes takes this process with it: device_probe.h finds out before.
 /// Throws Error(device) that says what was tried and how each failed.
 std::unique_ptr<Context> open_context(const ContextRequest& request);
 
-/// Whether EGL lists a device that is not a software renderer. Opens none, and loads no software GL.
-bool lists_hardware();
+/// Every device that the request allows, best first. Opens none, but loads EGL with its vendors' libraries.
+std::vector<DeviceInfo> list_devices(const ContextRequest& request);
 
-/// Opens and closes a context on every device; for `doctor`.
-std::vector<ContextInfo> probe_devices(std::vector<DeviceInfo>& failed);
+/// Throws Error(device) with the reason in one clause.
+std::unique_ptr<Context> open_device(const DeviceInfo& device, bool require_hardware);
+
+/// The Error(device) for a request that nothing satisfies: what was tried and how it failed, what to do.
+Error no_usable_context(const ContextRequest& request, const std::vector<DeviceInfo>& failed);
 
 /// Throws Error(device) naming the limit if `size` of `what` is more than `limit`.
 void require_limit(const char* what, long long size, const char* limit_name, long long limit);

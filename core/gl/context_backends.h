@@ -7,7 +7,6 @@ namespace hybridrt::gl {
 
 /// Ids "egl:N" in EGL's own order, then "surfaceless"; empty when there is no libEGL (`problem` says so).
 std::vector<DeviceInfo> list_egl_devices(std::string& problem);
-bool lists_egl_hardware();
 std::unique_ptr<Context> open_egl(const std::string& device);
 
 inline constexpr const char* kOsmesaDevice = "osmesa";

@@ -7,7 +7,6 @@
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <algorithm>
 
 #include "core/gl/context_backends.h"
 #include "core/gl/extension_list.h"
@@ -151,7 +150,8 @@ std::vector<DeviceInfo> list_egl_devices(std::string& problem) try {
   std::vector<DeviceInfo> hardware, software;
   const std::vector<EGLDeviceEXT> devices = egl.devices();
   for (size_t i = 0; i < devices.size(); ++i) {
-    (egl.is_software(devices[i]) ? software : hardware).push_back({fmt::format("egl:{}", i), ""});
+    const bool is_software = egl.is_software(devices[i]);
+    (is_software ? software : hardware).push_back({fmt::format("egl:{}", i), "", !is_software});
   }
   if (devices.empty()) problem = no_device_hint();
   hardware.insert(hardware.end(), software.begin(), software.end());
@@ -160,14 +160,6 @@ std::vector<DeviceInfo> list_egl_devices(std::string& problem) try {
 } catch (const Error& no_library) {
   problem = no_library.what();
   return {};
-}
-
-bool lists_egl_hardware() try {
-  const Egl egl;
-  const std::vector<EGLDeviceEXT> devices = egl.devices();
-  return std::any_of(devices.begin(), devices.end(), [&](EGLDeviceEXT device) { return !egl.is_software(device); });
-} catch (const Error&) {  // no libEGL
-  return false;
 }
 
 std::unique_ptr<Context> open_egl(const std::string& device) { return std::make_unique<EglContext>(device); }

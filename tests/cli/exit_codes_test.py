@@ -154,7 +154,7 @@ class DeviceTest(CliTestCase):
         self.refuse("--gl", "egl", "--device", "osmesa", says="osmesa")
 
     def test_no_egl_vendor_says_what_was_tried(self):
-        self.refuse("--gl", "egl", says=("tried", "--method raytrace"),
+        self.refuse("--gl", "egl", says=("tried", "--gl off"),
                     env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"})
 
     def test_off_loads_no_gl(self):

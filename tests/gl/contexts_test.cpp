@@ -112,7 +112,7 @@ TEST(ContextErrors, RequiredHardwareSaysWhatWasTried) {
 // Both when a device is refused after its context was made, and when no such device exists.
 TEST(ContextErrors, LeaveNothingBehind) {
   std::vector<gl::DeviceInfo> failed;
-  const std::vector<gl::ContextInfo> usable = gl::probe_devices(failed);
+  const std::vector<gl::ContextInfo> usable = usable_devices(failed);
   if (!std::all_of(usable.begin(), usable.end(), [](const auto& info) { return info.software; }))
     GTEST_SKIP() << "a hardware renderer is not refused";
   const auto try_all = [] {
@@ -130,7 +130,7 @@ TEST(ContextErrors, LeaveNothingBehind) {
 
 TEST(ContextErrors, ProbeFindsWhatOpens) {
   std::vector<gl::DeviceInfo> failed;
-  for (const gl::ContextInfo& info : gl::probe_devices(failed))
+  for (const gl::ContextInfo& info : usable_devices(failed))
     EXPECT_EQ(gl::open_context({gl::Binding::any, info.device})->info().renderer, info.renderer);
   for (const gl::DeviceInfo& device : failed) {
     EXPECT_FALSE(device.problem.empty()) << device.id;

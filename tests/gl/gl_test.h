@@ -10,6 +10,20 @@
 
 namespace hybridrt {
 
+/// Opens and closes a context on every device.
+inline std::vector<gl::ContextInfo> usable_devices(std::vector<gl::DeviceInfo>& failed) {
+  std::vector<gl::ContextInfo> usable;
+  for (gl::DeviceInfo device : gl::list_devices({})) {
+    try {
+      usable.push_back(gl::open_device(device, /*require_hardware=*/false)->info());
+    } catch (const Error& failure) {
+      device.problem = failure.what();
+      failed.push_back(device);
+    }
+  }
+  return usable;
+}
+
 /// A test with the best context of the machine; skipped, with the reason, if it has none.
 class GlTest : public testing::Test {
  protected:
