@@ -13,6 +13,7 @@
 #include "core/image/srgb.h"
 #include "core/image_formats/oiio_setup.h"
 #include "core/image_formats/unused_alpha.h"
+#include "core/image_io/header_check.h"
 #include "core/image_io/image_limits.h"
 #include "core/image_io/texel_of.h"
 
@@ -53,7 +54,11 @@ Input find_reader(const fs::path& path, std::string& problem) {
   return nullptr;
 }
 
-Input open_image(const fs::path& path) {
+Input open_image(const fs::path& path, int largest_side_px = kMaxImageSidePx,
+                 uint64_t most_texels = static_cast<uint64_t>(kMaxImagePixels)) {
+  if (const std::string fault = header_fault(path, largest_side_px, most_texels); !fault.empty())
+    throw error(ErrorKind::input, "{}: cannot be read: {}; write it again, or use a smaller image", path.string(),
+                fault);
   set_up_oiio();
   std::string problem;
   Input input;
@@ -140,7 +145,7 @@ std::string read_format_description(const fs::path& path) {
 }
 
 TexelImage read_format_texels(const fs::path& path, int largest_side_px, uint64_t most_texels) {
-  const Input input = open_image(path);
+  const Input input = open_image(path, largest_side_px, most_texels);
   const OIIO::ImageSpec& spec = input->spec();
   require_texel_size(path, spec.width, spec.height, {largest_side_px, most_texels});
   return read_codes(path, *input);

@@ -44,6 +44,25 @@ class MemoryTest(CliTestCase):
         self.fail_with(3, "inspect", "scene:spheres,triangles=20000000", *SMALL, "--max-memory", "1G", says="spheres")
         self.succeed("inspect", "big.obj", "--max-memory", "1G")
 
+    def test_textures_that_claim_much_take_little(self):
+        number = lambda value, size=4: value.to_bytes(size, "little")  # noqa: E731
+        big = lambda value, size=4: value.to_bytes(size, "big")  # noqa: E731
+        claims = {
+            "claim.exr": number(20000630) + number(2) + b"x\0string\0" + number(0x7FFFFFFF) + bytes(1000),
+            "claim.gif": b"GIF89a" + number(65535, 2) * 2 + bytes(25),
+            "claim.j2k": (big(0xFF4FFF51) + big(47, 2) + bytes(2) + big(16000) * 2 + bytes(8) + big(16000) * 2 + bytes(8) +
+                          big(3, 2) + b"\7\1\1" * 3 + bytes(2000))}
+        for name, content in claims.items():
+            with open(self.path(name), "wb") as file:
+                file.write(content)
+            self.write("t.mtl", f"newmtl m\nmap_Kd {name}\n")
+            self.write("t.obj", "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n")
+            done = self.succeed("render", "t.obj", *SMALL, "-q", "--gl", "off", "-o", "out/x.png")
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertIn(f"{name}: cannot be read: ", done.stderr)
+            with open(self.path("out/run.json"), encoding="utf-8") as file:
+                self.assertLess(json.load(file)["peak_memory_mib"], 600, name)
+
     def test_refusing_takes_no_memory(self):
         # A header that promises 300 million vertices, in a sparse file that has room for them.
         header = ("ply\nformat binary_little_endian 1.0\nelement vertex 300000000\nproperty float x\nproperty float y\n"
