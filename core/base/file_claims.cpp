@@ -62,6 +62,37 @@ bool is_at(int descriptor, const fs::path& path) {
          open.st_dev == named.st_dev;
 }
 
+/// Opens a folder's lock file; whoever may write to the folder may use it. A negative number, with errno, in vain.
+int open_lock(const fs::path& path) {
+  const int there = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+  if (there >= 0 || errno != ENOENT) return there;
+  const int made = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (made >= 0) static_cast<void>(::fchmod(made, 0666));  // whatever the umask; it is empty, and not always our own
+  return made;
+}
+
+/// A lock file of another user that may not be written: removed if no run holds any of it. False if it stays.
+bool remove_stale_lock(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  struct flock all = bytes(F_WRLCK, 0, 0);
+  const bool is_free = ::fcntl(descriptor, F_OFD_GETLK, &all) == 0 && all.l_type == F_UNLCK;
+  ::close(descriptor);
+  return is_free && ::unlink(path.c_str()) == 0;
+}
+
+[[noreturn]] void fail_at_lock(const fs::path& file, const fs::path& lock, int reason) {
+  struct stat there {};
+  if (reason == EACCES && ::lstat(lock.c_str(), &there) == 0 && there.st_uid != ::geteuid())
+    throw error(ErrorKind::output,
+                "cannot write {}: {} beside it belongs to a run of another user (number {}); wait for that run's end, "
+                "have the file removed if there is none, or write elsewhere",
+                file.string(), kLockName, there.st_uid);
+  throw error(ErrorKind::output,
+              "cannot write {}: open {} beside it: {}; check the folder and its permissions, or write elsewhere",
+              file.string(), kLockName, std::generic_category().message(reason));
+}
+
 [[noreturn]] void fail(const fs::path& file, const char* step, int reason) {
   throw error(ErrorKind::output, "cannot write {}: {}: {}; check the folder and its permissions, or write elsewhere",
               file.string(), step, std::generic_category().message(reason));
@@ -132,9 +163,12 @@ FileClaims::Answer FileClaims::lock(const fs::path& named, int64_t start, int64_
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const auto known = locks_.find(folder);
     const bool is_first = known == locks_.end();
-    const int descriptor =
-        is_first ? ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666) : known->second.descriptor;
-    if (descriptor < 0) fail(shown, "open .hybridrt.lock beside it", errno);
+    const int descriptor = is_first ? open_lock(path) : known->second.descriptor;
+    if (descriptor < 0) {
+      const int reason = errno;
+      if (reason == EACCES && remove_stale_lock(path)) continue;
+      fail_at_lock(shown, path, reason);
+    }
     const Attempt got = try_lock(descriptor, start, length);
     if (got == Attempt::locked && (!is_first || is_at(descriptor, path))) {
       if (is_first) locks_[folder].name = std::make_unique<TemporaryName>(path, TemporaryName::Kind::lock, descriptor);

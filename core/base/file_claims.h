@@ -23,7 +23,8 @@ NumberedName numbered_name(const std::filesystem::path& file);
 /// What a run is going to write, so that a second one at the same time can be refused. Each folder gets a hidden file
 /// `.hybridrt.lock`; a file's name, without its number, stands for a range of its bytes, the number for one byte of
 /// that range, and a run holds kernel locks on the bytes of its files. The kernel drops them when the process ends,
-/// however it ends. A killed run leaves an empty file, which the next run uses and removes.
+/// however it ends. A killed run leaves an empty file, which the next run uses and removes, another user's too where
+/// the folder allows that.
 ///
 /// Names are told apart by 31 bits of a hash: one pair of names in 2^31 is taken for the same name, and a run is
 /// refused needlessly.

@@ -103,6 +103,35 @@ class TwoRunsTest(CliTestCase):
             self.assertFalse(os.path.exists(self.path("out/.hybridrt.lock")), "a killed run's lock does not stop others")
             os.remove(self.path("out/x.0001.png"))
 
+    def as_nobody(self, picture):
+        return self.run_binary("render", *QUICK, "-o", picture, user=65534, group=65534, extra_groups=[])
+
+    @unittest.skipUnless(os.geteuid() == 0, "needs another user to be")
+    def test_another_users_lock(self):
+        os.chmod(self.folder, 0o755)
+        if self.run_binary("--help", user=65534, group=65534, extra_groups=[]).returncode != 0:
+            self.skipTest("another user cannot start the program")
+        os.makedirs(self.path("out"))
+        os.chmod(self.path("out"), 0o777)
+        lock = self.write("out/.hybridrt.lock", "")
+        os.chmod(lock, 0o644)
+        done = self.as_nobody("out/y.png")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), "nobody holds it: it goes")
+        self.assertFalse(os.path.exists(lock))
+        # In use: both users' runs share it.
+        self.start_long("-o", "out/x.####.png")
+        self.assertEqual(self.as_nobody("out/z.png").returncode, 0)
+        done = self.as_nobody("out/x.0007.png")
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("another run is writing out/x.0007.png", done.stderr)
+        # In use and closed to others, as older versions made it; or in a folder where only owners remove.
+        os.chmod(lock, 0o644)
+        for mode in (0o777, 0o1777):
+            os.chmod(self.path("out"), mode)
+            done = self.as_nobody("out/z.png")
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (5, 1), done.stderr)
+            self.assertIn(".hybridrt.lock beside it belongs to a run of another user (number 0)", done.stderr)
+
     def test_temporary_files_of_killed_runs_go(self):
         os.makedirs(self.path("out"))
         stale = ("x.0002.png", "x.depth.0003.png", "timings.csv", "run.json")
