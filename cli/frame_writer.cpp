@@ -17,7 +17,7 @@
 namespace hybridrt::cli {
 namespace {
 
-constexpr int kSheetColumns = 4, kSheetCell_px = 320, kMostSheetCells = 20;
+constexpr int kSheetColumns = 4, kSheetCell_px = 320, kTallestSheetCell_px = 4 * kSheetCell_px, kMostSheetCells = 20;
 constexpr int kNoFrame = std::numeric_limits<int>::min();
 
 /// For the headers of pictures that keep it.
@@ -48,11 +48,17 @@ SheetCollector::SheetCollector(const FrameSpec& frames) {
 void SheetCollector::add(const Frame& frame) {
   if (!shows(frame.number)) return;
   const Image& picture = frame.picture;
-  const int height = std::max(1, picture.height_px * kSheetCell_px / picture.width_px);
-  cells_.push_back(box_filtered(picture, kSheetCell_px, height));
+  // A picture of one column would fill gigabytes at the usual width.
+  const int64_t usual_height = int64_t{picture.height_px} * kSheetCell_px / picture.width_px;
+  const bool is_tall = usual_height > kTallestSheetCell_px;
+  const int width = is_tall ? std::max(1, kTallestSheetCell_px * picture.width_px / picture.height_px) : kSheetCell_px;
+  const int height = std::max(1, static_cast<int>(int64_t{picture.height_px} * width / picture.width_px));
+  cells_.push_back(box_filtered(picture, width, height));
 }
 
-Image SheetCollector::sheet() const { return contact_sheet(cells_, kSheetColumns, kSheetCell_px); }
+Image SheetCollector::sheet() const {
+  return contact_sheet(cells_, kSheetColumns, cells_.empty() ? kSheetCell_px : cells_.front().width_px);
+}
 
 FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths, const RenderJob& job, int threads)
     : options_(options),

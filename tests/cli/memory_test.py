@@ -63,6 +63,12 @@ class MemoryTest(CliTestCase):
             with open(self.path("out/run.json"), encoding="utf-8") as file:
                 self.assertLess(json.load(file)["peak_memory_mib"], 600, name)
 
+    def test_a_contact_sheet_of_tall_pictures_is_no_larger_than_they_are(self):
+        self.succeed("render", SCENE, "-q", "--gl", "off", "--size", "1x20000", "--frames", "3", "--contact-sheet",
+                     "out/sheet.png", "-o", "out/x.####.png")
+        with open(self.path("out/run.json"), encoding="utf-8") as file:
+            self.assertLess(json.load(file)["peak_memory_mib"], 600)
+
     def test_refusing_takes_no_memory(self):
         # A header that promises 300 million vertices, in a sparse file that has room for them.
         header = ("ply\nformat binary_little_endian 1.0\nelement vertex 300000000\nproperty float x\nproperty float y\n"
