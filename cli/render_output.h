@@ -31,7 +31,7 @@ struct OutputOptions {
   std::optional<ExrNumbers> exr;     ///< default: float
   std::optional<VideoFormat> video;  ///< into a pipe; default: y4m for several frames, PNG for one
   std::optional<FrameRate> rate;     ///< default: 25
-  bool is_part = false;  ///< of a longer --sequence: tables carry the frames
+  bool is_part = false;              ///< of a longer --sequence: tables carry the frames
 };
 
 /// How the pictures are encoded.

@@ -66,7 +66,7 @@ Json facts_of(const Shard& shard) {
   Json facts = {{"file", shard.file.filename().string()}};
   for (const char* field :
        {"commit", "command_line", "folder", "date", "gl", "passes", "processor", "threads", "load_ms", "accel_build_ms",
-        "ready_ms", "rendering_ms", "drain_ms", "frames", "kept_frames", "peak_memory_mib"})
+        "ready_ms", "rendering_ms", "waited_ms", "drain_ms", "write_ms", "frames", "kept_frames", "peak_memory_mib"})
     facts[field] = shard.report.at(field);
   return facts;
 }
@@ -79,7 +79,8 @@ Json merged_report(const Joined& joined, const std::string& timings) {
   report["settings"]["frames"] = fmt::format("{}-{}", sequence.first, sequence.last);
   report["warnings"] = Json::array();
   report["date"] = "";
-  const char* const sums[] = {"load_ms", "accel_build_ms", "ready_ms", "rendering_ms", "drain_ms", "repeated_frames"};
+  const char* const sums[] = {"load_ms",   "accel_build_ms", "ready_ms", "rendering_ms",
+                              "waited_ms", "drain_ms",       "write_ms", "repeated_frames"};
   for (const char* field : sums) report[field] = Json(0);
   Json shards = Json::array();
   for (const Shard& shard : joined.shards) {
@@ -102,6 +103,12 @@ Json merged_report(const Joined& joined, const std::string& timings) {
   report["frames"] = joined.whose.size();
   report["kept_frames"] = 0;
   report["frames_per_second"] = frames_per_second(joined);
+  const auto per_second = [&](double ms) {
+    return ms > 0 ? static_cast<double>(joined.whose.size()) / (ms * 1e-3) : 0;
+  };
+  const double rendering_ms = report["rendering_ms"];
+  report["rendered_per_second"] = per_second(rendering_ms - report["waited_ms"].get<double>());
+  report["written_per_second"] = per_second(rendering_ms + report["drain_ms"].get<double>());
   report["command_line"] = whole_command(report.at("command_line"), sequence);
   report["outputs"]["timings"] =
       (fs::path(report["outputs"]["timings"].get<std::string>()).parent_path() / fs::path(timings).filename()).string();

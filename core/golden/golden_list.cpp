@@ -64,7 +64,7 @@ class Problems {
 std::string text_in(const ordered_json& entry, const char* key, Problems& problems) {
   if (!entry.contains(key))
     problems.add("'{}' is missing", key);
-  else if (!entry[key].is_string() || entry[key].get<std::string>().empty())
+  else if (!entry[key].is_string())
     problems.add("'{}' must be a text", key);
   else
     return entry[key];
@@ -107,6 +107,7 @@ GoldenCase parse_case(const ordered_json& entry, Problems& problems) {
   golden.name = text_in(entry, "name", problems);
   golden.scene = text_in(entry, "scene", problems);
   golden.reason = text_in(entry, "reason", problems);
+  if (entry.contains("name") && golden.name.empty()) problems.add("'name' is empty");
   if (golden.name.find('/') != std::string::npos) problems.add("'name' becomes a file name, it has no '/'");
   const ordered_json options = entry.value("options", ordered_json::array());
   if (options.is_array() && std::ranges::all_of(options, [](const auto& option) { return option.is_string(); }))

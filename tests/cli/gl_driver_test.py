@@ -134,7 +134,7 @@ class GlDriverTest(CliTestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("- egl          unusable: its driver crashed (Segmentation fault)", done.stdout)
         self.assertIn("* osmesa", done.stdout)
-        self.assertIn("llvmpipe", self.succeed("--version", env=self.driver("crash at list")).stdout)
+        self.assertIn("llvmpipe", self.succeed("--version", "--json", env=self.driver("crash at list")).stdout)
 
     def test_nothing_is_tried_where_no_gl_is_wanted(self):
         self.draw("crash at list", "--gl", "off")

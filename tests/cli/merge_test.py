@@ -16,7 +16,8 @@ RENDER = ("render", SCENE, "-q", "--size", "96x72", "--gl", "off")
 SHARDS = ("1-8", "9-16", "17-24")
 WHOLE = ("--sequence", "1-24")
 # Fields of run.json that no two runs share.
-MACHINE = ("load_ms", "accel_build_ms", "ready_ms", "rendering_ms", "drain_ms", "frames_per_second", "peak_memory_mib", "date")
+MACHINE = ("load_ms", "accel_build_ms", "ready_ms", "rendering_ms", "waited_ms", "drain_ms", "write_ms", "frames_per_second",
+           "rendered_per_second", "written_per_second", "peak_memory_mib", "date")
 
 
 def untimed(rows):
