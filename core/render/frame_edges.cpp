@@ -62,16 +62,21 @@ class EdgeTaker {
   void rasterize(std::span<const PixelAt> pixels, std::span<vec4> colors) {
     FrameBins& bins = finders_.raster.bins;
     bin_clusters(job_.trace.scene, *finders_.clusters, view_, pool_, bins);
-    // Where each tile's pixels begin.
     const auto tile_of = [&](PixelAt at) { return at.y / kTileHeight_px * bins.tiles_x + at.x / kTileWidth_px; };
-    std::vector<size_t> first = {0};
-    for (size_t i = 1; i < pixels.size(); ++i)
-      if (tile_of(pixels[i]) != tile_of(pixels[i - 1])) first.push_back(i);
-    first.push_back(pixels.size());
-    pool_.run(first.size() - 1, [&](size_t i, int number) {
-      const size_t count = first[i + 1] - first[i];
-      worker(number).render_pixels_of_tile(view_, tile_of(pixels[first[i]]), pixels.subspan(first[i], count),
-                                           colors.subspan(first[i], count));
+    struct TilePart {
+      size_t first, count;  ///< of the pixels
+    };
+    std::vector<TilePart> parts;
+    for (size_t i = 0; i < pixels.size(); ++i) {
+      if (i == 0 || tile_of(pixels[i]) != tile_of(pixels[i - 1])) parts.push_back({i, 0});
+      ++parts.back().count;
+    }
+    // The most work first, so that threads end together.
+    std::ranges::sort(parts, std::greater(), &TilePart::count);
+    pool_.run(parts.size(), [&](size_t i, int number) {
+      const auto [begin, count] = parts[i];
+      worker(number).render_pixels_of_tile(view_, tile_of(pixels[begin]), pixels.subspan(begin, count),
+                                           colors.subspan(begin, count));
     });
   }
 
