@@ -16,13 +16,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json axes_json(const std::vector<Axis>& axes) {
+/// Pictures of a folder are the truth of all settings: scenes are then alternatives, as lean and full models are.
+Json axes_json(const std::vector<Axis>& axes, const TruthOptions& truth) {
   Json all = Json::array();
   for (const Axis& axis : axes)
     all.push_back({{"name", axis.name},
                    {"column", axis.column()},
                    {"values", axis.values},
-                   {"changes_truth", axis.affects != Affects::quality}});
+                   {"changes_truth", truth.folder.empty() && axis.affects != Affects::quality}});
   return all;
 }
 
@@ -55,7 +56,7 @@ Json what_decides(const SweepRequest& request) {
           {"scene", request.base.scene},
           {"options", options},
           {"frames", request.base.frames},
-          {"axes", axes_json(request.axes)},
+          {"axes", axes_json(request.axes, request.truth)},
           {"truth", truth_json(request.truth)}};
 }
 

@@ -24,10 +24,11 @@ def truth_text(truth: Truth) -> str:
     note = f" ({truth.note})" if truth.note else ""
     if truth.kind == "none":
         return "compared with nothing" + note
+    if truth.kind == "folder":
+        return "truth: pictures of a folder" + note
     aliasing = ("1 sample a pixel, so it has aliasing itself" if truth.samples == 1 else
                 f"{truth.samples} samples a pixel, so aliasing counts as an error")
-    what = "pictures of a folder" if truth.kind == "folder" else f"method {truth.method}"
-    return f"truth: {what}, {aliasing}{note}"
+    return f"truth: method {truth.method}, {aliasing}{note}"
 
 
 def counted(number: str, noun: str) -> str:

@@ -147,6 +147,13 @@ class Errors(SweepTestCase):
         self.assertGreater(float(shallow["rmse"]), 0)
         self.assertEqual(deep["false_lit"], "")
 
+    def test_pictures_of_a_folder_are_the_truth_of_every_scene(self):
+        self.succeed("render", SCENE, *SMALL, "-q", "-o", "mine/f.0001.png")
+        for truth, changes in (((), True), (("--truth", "mine"), False)):
+            folder = "with" + "".join(truth).strip("-")
+            self.sweep("--over", f"scene={SCENE};{SCENE},reflective=0", "--rounds", "1", *truth, folder=folder)
+            self.assertEqual(json.loads(self.read(f"{folder}/sweep.json"))["axes"][0]["changes_truth"], changes)
+
     def test_without_a_truth_there_are_none(self):
         self.sweep("--over", "shadows=none,exact", "--rounds", "1", truth_samples=0)
         self.assertEqual({row["rmse"] for row in self.rows()}, {""})

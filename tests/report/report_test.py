@@ -221,6 +221,11 @@ class DrawnTest(ReportTestCase):
             make_sweep(self.folder, Sweep(SHADOWS, pictures=False, facts={
                 "truth": {"method": "reference", "samples": samples, "kind": "reference", "note": ""}}))
             self.assertIn(words, self.report()[1])
+        make_sweep(self.folder, Sweep(SHADOWS, pictures=False, facts={
+            "truth": {"method": "", "samples": 64, "kind": "folder", "note": "the pictures in mine"}}))
+        text = self.report()[1]
+        self.assertIn("pictures of a folder (the pictures in mine)", text)
+        self.assertNotIn("a pixel, so", text)
 
     def test_passes_on_the_cpu_and_their_names(self):
         make_sweep(self.folder, Sweep({"shadows": ["rays", "exact"]}, pictures=False, facts={"gl_renderer": None}))
