@@ -3,9 +3,10 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <ctime>
 #include <unistd.h>
+
+#include "core/base/interrupt.h"
 
 namespace hybridrt::cli {
 namespace {
@@ -58,12 +59,7 @@ void print_status(int) {
 
 void show_status_on_signal() {
   started_s = now_s();
-  struct sigaction before {};
-  if (::sigaction(SIGUSR1, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) return;
-  struct sigaction action {};
-  action.sa_handler = print_status;
-  action.sa_flags = SA_RESTART;
-  ::sigaction(SIGUSR1, &action, nullptr);
+  handle_signal(SIGUSR1, print_status);
 }
 
 void set_status(const char* doing, int64_t frames_done, int64_t of) {

@@ -2,6 +2,10 @@
 
 namespace hybridrt {
 
+/// `handler` from now on, unless the caller of the program had it ignore the signal. Waits in the system go on after
+/// it.
+void handle_signal(int signal, void (*handler)(int));
+
 /// From now on a SIGINT, SIGTERM or SIGHUP ends the process at once, with the exit code of the signal (SIGHUP: as
 /// SIGTERM) and without temporary files; while frames are being finished (FinishingFrames) only the second one does.
 /// Signals that the caller had the program ignore stay ignored (nohup). Signals are the process's, and so is this.

@@ -121,25 +121,31 @@ FrameSpec spec_of(const std::vector<int>& frames) {
   return spec;
 }
 
-std::string text_of(const FrameSpec& spec) {
+namespace {
+
+/// How frames are written.
+struct RangeStyle {
+  char between_ranges, before_step;
+  int digits;  ///< of each number, at least
+};
+
+std::string written(const FrameSpec& spec, const RangeStyle& style) {
   std::string text;
   for (const FrameRange& range : spec.ranges) {
-    if (!text.empty()) text += ',';
-    text += fmt::format("{}", range.first);
-    if (count_of(range) > 1 || spec.ranges.size() == 1) text += fmt::format("-{}", last_frame(range));
-    if (count_of(range) > 1 && range.step > 1) text += fmt::format(":{}", range.step);
+    if (!text.empty()) text += style.between_ranges;
+    text += fmt::format("{:0{}}", range.first, style.digits);
+    if (count_of(range) > 1 || spec.ranges.size() == 1) text += fmt::format("-{:0{}}", last_frame(range), style.digits);
+    if (count_of(range) > 1 && range.step > 1) text += fmt::format("{}{}", style.before_step, range.step);
   }
   return text;
 }
 
+}  // namespace
+
+std::string text_of(const FrameSpec& spec) { return written(spec, {',', ':', 1}); }
+
 std::string name_part_of(const FrameSpec& spec) {
-  std::string name;
-  for (const FrameRange& range : spec.ranges) {
-    if (!name.empty()) name += '+';
-    name += fmt::format("{:04}", range.first);
-    if (count_of(range) > 1 || spec.ranges.size() == 1) name += fmt::format("-{:04}", last_frame(range));
-    if (count_of(range) > 1 && range.step > 1) name += fmt::format("x{}", range.step);
-  }
+  const std::string name = written(spec, {'+', 'x', 4});
   constexpr size_t kLongest = 60;
   if (name.size() <= kLongest) return name;
   uint64_t hash = 0xcbf29ce484222325ull;  // FNV-1a
