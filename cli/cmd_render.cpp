@@ -45,7 +45,10 @@ ExitCode render(const RenderOptions& given, const OutputOptions& asked, const st
   RunTotals totals;
   const Stopwatch loading;
   const SceneSource source = scene_source_of(given);
-  const RenderOptions options = with_scene_settings(given, source);
+  RenderOptions options = with_scene_settings(given, source);
+  if (!asked.contact_sheet.empty())
+    options.sheet_bytes =
+        SheetCollector::most_bytes(finished_settings(options), parse_frame_spec(options.frames).count());
   const int threads = thread_count(options);
   gl::limit_software_threads(threads);  // before the first thread is started
   ThreadPool pool(threads);

@@ -35,6 +35,18 @@ ImageCamera image_camera(const Camera& camera, const RenderSettings& s) {
   return result;
 }
 
+struct CellSize {
+  int width_px, height_px;
+};
+
+CellSize cell_size(int picture_width_px, int picture_height_px) {
+  // A picture of one column would fill gigabytes at the usual width.
+  const int64_t usual_height = int64_t{picture_height_px} * kSheetCell_px / picture_width_px;
+  const bool is_tall = usual_height > kTallestSheetCell_px;
+  const int width = is_tall ? std::max(1, kTallestSheetCell_px * picture_width_px / picture_height_px) : kSheetCell_px;
+  return {width, std::max(1, static_cast<int>(int64_t{picture_height_px} * width / picture_width_px))};
+}
+
 }  // namespace
 
 SheetCollector::SheetCollector(const FrameSpec& frames) {
@@ -47,13 +59,17 @@ SheetCollector::SheetCollector(const FrameSpec& frames) {
 
 void SheetCollector::add(const Frame& frame) {
   if (!shows(frame.number)) return;
-  const Image& picture = frame.picture;
-  // A picture of one column would fill gigabytes at the usual width.
-  const int64_t usual_height = int64_t{picture.height_px} * kSheetCell_px / picture.width_px;
-  const bool is_tall = usual_height > kTallestSheetCell_px;
-  const int width = is_tall ? std::max(1, kTallestSheetCell_px * picture.width_px / picture.height_px) : kSheetCell_px;
-  const int height = std::max(1, static_cast<int>(int64_t{picture.height_px} * width / picture.width_px));
-  cells_.push_back(box_filtered(picture, width, height));
+  const CellSize cell = cell_size(frame.picture.width_px, frame.picture.height_px);
+  cells_.push_back(box_filtered(frame.picture, cell.width_px, cell.height_px));
+}
+
+uint64_t SheetCollector::most_bytes(const RenderSettings& settings, int64_t frame_count) {
+  constexpr uint64_t kCopies = 4;  // cells, thumbnails made of them, the sheet with its empty places, and it encoded
+  const PixelRect picture = picture_rect(settings);
+  const CellSize cell = cell_size(picture.width_px, picture.height_px);
+  const auto cells = static_cast<uint64_t>(std::min<int64_t>(frame_count, kMostSheetCells));
+  return kCopies * std::max<uint64_t>(cells, kSheetColumns) * static_cast<uint64_t>(cell.width_px) *
+         static_cast<uint64_t>(cell.height_px) * sizeof(float) * (settings.alpha ? 4 : 3);
 }
 
 Image SheetCollector::sheet() const {

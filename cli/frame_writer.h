@@ -25,6 +25,9 @@ class SheetCollector {
   void add(const Frame& frame);
   Image sheet() const;
 
+  /// What the cells and the sheet take at most.
+  static uint64_t most_bytes(const RenderSettings& settings, int64_t frame_count);
+
  private:
   std::set<int> shown_;
   std::vector<Image> cells_;

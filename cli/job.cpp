@@ -22,10 +22,11 @@ FrameRange make_sequence(const RenderOptions& o, const FrameSpec& frames) {
 }
 
 /// Throws unless there is memory for the scene and all that a run adds to it before the first frame.
-void require_room_for_run(const RenderJob& job, const SceneSource& source, size_t light_count, int threads) {
+void require_room_for_run(const RenderJob& job, const SceneSource& source, size_t light_count, int threads,
+                          uint64_t sheet_bytes) {
   const MemoryEstimate estimate = estimate_memory(job.scene, job.facts, job.topology, job.settings, light_count,
                                                   /*light_moves=*/true, threads, job.frames.count());
-  require_room_for_scene(source.argument, estimate.total(), job.most_bytes);
+  require_room_for_scene(source.argument, estimate.total() + sheet_bytes, job.most_bytes);
 }
 
 }  // namespace
@@ -46,11 +47,12 @@ void set_settings(RenderJob& job, const RenderOptions& o, const SceneSource& sou
 
 Framing set_loaded_scene(RenderJob& job, const RenderOptions& o, const SceneSource& source, ThreadPool& pool,
                          Warnings& warnings, LoadProgress* progress) {
-  Scene scene = load_scene(source, o.up_axis, pool, warnings, {job.most_bytes, progress, read_texels, o.linear_colors});
+  Scene scene = load_scene(source, o.up_axis, pool, warnings,
+                           {job.most_bytes, progress, {texel_size, read_texels}, o.linear_colors});
   const Framing framing = frame_scene(scene);
   if (o.ground) add_ground(scene, framing.bounds);
   set_scene(job, std::move(scene), pool, warnings, o.reflection_percent);
-  require_room_for_run(job, source, light_count(o, source), pool.size());
+  require_room_for_run(job, source, light_count(o, source), pool.size(), o.sheet_bytes);
   return framing;
 }
 
@@ -73,7 +75,8 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
                           LoadProgress* progress) {
   RenderJob job;
   set_settings(job, o, source, warnings);
-  require_room_for_frames(job.settings, light_count(o, source), pool.size(), job.frames.count(), job.most_bytes);
+  require_room_for_frames(job.settings, light_count(o, source), pool.size(), job.frames.count(), o.sheet_bytes,
+                          job.most_bytes);
   const Framing framing = set_loaded_scene(job, o, source, pool, warnings, progress);
   set_camera_and_lights(job, o, source, framing, pool, warnings);
   return job;

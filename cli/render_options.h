@@ -46,6 +46,7 @@ struct RenderOptions {
   std::optional<double> fov_y_rad;     ///< default: the camera's own
   std::optional<int> threads;          ///< default: all allowed processors
   std::optional<uint64_t> most_bytes;  ///< memory limit; default: what the machine and the cgroup have
+  uint64_t sheet_bytes = 0;            ///< of it, what the contact sheet takes
   GlUse gl_use = GlUse::automatic;
   gl::ContextRequest gl;
   std::string shaders;  ///< folder; empty: the built-in ones

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
+#include "core/base/check.h"
 #include "core/image/srgb.h"
 
 namespace hybridrt {
@@ -76,15 +78,16 @@ std::vector<Sum> halved(int width, int height, const Fetch& fetch) {
 
 }  // namespace
 
-int append_mip_levels(std::vector<uint32_t>& texels, size_t first, int width, int height) {
+int fill_mip_levels(std::span<uint32_t> texels, int width, int height) {
+  HRT_CHECK(texels.size() == mip_texel_count(width, height));
   if (width == 1 && height == 1) return 1;
   static const Decoder decode;
-  texels.reserve(first + mip_texel_count(width, height));
-  const auto fetch_image = [&](int x, int y) { return decode(texels[first + static_cast<size_t>(y) * width + x]); };
+  size_t filled = static_cast<size_t>(width) * static_cast<size_t>(height);
+  const auto fetch_image = [&, row = width](int x, int y) { return decode(texels[static_cast<size_t>(y) * row + x]); };
   std::vector<Sum> level = halved(width, height, fetch_image);
   for (int levels = 2;; ++levels) {
     width = std::max(width / 2, 1), height = std::max(height / 2, 1);
-    for (const Sum& sum : level) texels.push_back(encoded(sum));
+    for (const Sum& sum : level) texels[filled++] = encoded(sum);
     if (width == 1 && height == 1) return levels;
     level = halved(width, height, [&](int x, int y) { return level[static_cast<size_t>(y) * width + x]; });
   }

@@ -2,16 +2,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace hybridrt {
 
-/// `texels` ends with a whole image (see TexelImage) that begins at `first`. Appends its coarser levels, each half as
-/// wide and high (rounded down, at least 1), down to a single texel; returns how many levels there are now.
+/// `texels`, mip_texel_count() of them, begin with an image (see TexelImage). Fills in its coarser levels behind it,
+/// each half as wide and high (rounded down, at least 1), down to a single texel; returns how many levels there are.
 ///
 /// A box filter, in linear light: a texel is the average of exactly the area that it covers, odd sizes too. Colours are
 /// weighted by alpha (plus 1/4 of a step), so that colours inside holes do not bleed out.
-int append_mip_levels(std::vector<uint32_t>& texels, size_t first, int width_px, int height_px);
+int fill_mip_levels(std::span<uint32_t> texels, int width_px, int height_px);
 
 /// Texels of all levels of such an image.
 uint64_t mip_texel_count(int width_px, int height_px);

@@ -15,8 +15,24 @@ struct TexelImage {
   std::vector<uint32_t> texels;
 };
 
-/// Reads a picture file of at most `largest_side_px` and `most_texels`. Thread-safe. Throws Error (input).
+/// What a file's header says.
+struct TexelSize {
+  int width_px = 0, height_px = 0;
+  uint64_t decoding_bytes = 0;  ///< memory that reading it takes at most, the texels included
+};
+
+/// Looks at the header of a picture file, or reads it whole: at most `largest_side_px` and `most_texels`. Thread-safe.
+/// Throws Error (input).
+using TexelSizer =
+    std::function<TexelSize(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels)>;
 using TexelReader =
     std::function<TexelImage(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels)>;
+
+/// How textures are read.
+struct TexelFiles {
+  TexelSizer size;
+  TexelReader read;
+  explicit operator bool() const { return size && read; }
+};
 
 }  // namespace hybridrt

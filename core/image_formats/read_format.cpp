@@ -54,11 +54,18 @@ Input find_reader(const fs::path& path, std::string& problem) {
   return nullptr;
 }
 
-Input open_image(const fs::path& path, int largest_side_px = kMaxImageSidePx,
-                 uint64_t most_texels = static_cast<uint64_t>(kMaxImagePixels)) {
-  if (const std::string fault = header_fault(path, largest_side_px, most_texels); !fault.empty())
+constexpr TexelLimits kImageLimits{kMaxImageSidePx, static_cast<uint64_t>(kMaxImagePixels)};
+
+/// What may be opened, as its header says.
+HeaderClaim require_openable(const fs::path& path, const TexelLimits& limits) {
+  HeaderClaim claim = header_claim(path, limits);
+  if (!claim.fault.empty())
     throw error(ErrorKind::input, "{}: cannot be read: {}; write it again, or use a smaller image", path.string(),
-                fault);
+                claim.fault);
+  return claim;
+}
+
+Input open_image(const fs::path& path) {
   set_up_oiio();
   std::string problem;
   Input input;
@@ -133,21 +140,44 @@ TexelImage read_codes(const fs::path& path, OIIO::ImageInput& input) {
   return image;
 }
 
+/// The texels, the reader's own copies of the file and of its pixels, and a strip of read_codes().
+uint64_t decoding_bytes(const fs::path& path, const OIIO::ImageSpec& spec) {
+  constexpr uint64_t kBytesPerTexel = 4, kBytesPerStripValue = 9;
+  const auto width = static_cast<uint64_t>(spec.width), height = static_cast<uint64_t>(spec.height);
+  const uint64_t strip = spec.tile_width > 0 ? static_cast<uint64_t>(std::max(spec.tile_height, 1)) : 64;
+  return width * height * kBytesPerTexel + fs::file_size(path) + spec.image_bytes(true) +
+         width * std::min(strip, height) * static_cast<uint64_t>(std::min(spec.nchannels, 4)) * kBytesPerStripValue;
+}
+
 }  // namespace
 
 Image read_format(const fs::path& path) {
+  require_openable(path, kImageLimits);
   const Input input = open_image(path);
   return read_pixels(path, *input);
 }
 
 std::string read_format_description(const fs::path& path) {
+  require_openable(path, kImageLimits);
   return open_image(path)->spec().get_string_attribute("ImageDescription");
 }
 
-TexelImage read_format_texels(const fs::path& path, int largest_side_px, uint64_t most_texels) {
-  const Input input = open_image(path, largest_side_px, most_texels);
+TexelSize read_format_texel_size(const fs::path& path, int largest_side_px, uint64_t most_texels) {
+  const TexelLimits limits{largest_side_px, most_texels};
+  const HeaderClaim claim = require_openable(path, limits);
+  if (claim.decoding_bytes > 0)
+    return {static_cast<int>(claim.width_px), static_cast<int>(claim.height_px), claim.decoding_bytes};
+  const Input input = open_image(path);
   const OIIO::ImageSpec& spec = input->spec();
-  require_texel_size(path, spec.width, spec.height, {largest_side_px, most_texels});
+  require_texel_size(path, spec.width, spec.height, limits);
+  return {spec.width, spec.height, decoding_bytes(path, spec)};
+}
+
+TexelImage read_format_texels(const fs::path& path, int largest_side_px, uint64_t most_texels) {
+  const TexelLimits limits{largest_side_px, most_texels};
+  require_openable(path, limits);
+  const Input input = open_image(path);
+  require_texel_size(path, input->spec().width, input->spec().height, limits);
   return read_codes(path, *input);
 }
 

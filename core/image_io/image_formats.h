@@ -26,13 +26,14 @@ struct ImageFormats {
   std::vector<unsigned char> (*encode_format)(const Image& linear, const std::string& format_or_name,
                                               const ImageMetadata& metadata);
   Image (*read_format)(const std::filesystem::path& path);
+  TexelSize (*read_format_texel_size)(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
   TexelImage (*read_format_texels)(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
   std::string (*read_format_description)(const std::filesystem::path& path);
 };
 
 /// The one symbol of the shared object: a `const ImageFormats* (*)()`. A change of the table changes the name, so that
 /// a program and a shared object that do not belong together find out.
-inline constexpr const char* kImageFormatsSymbol = "hybridrt_image_formats_1";
+inline constexpr const char* kImageFormatsSymbol = "hybridrt_image_formats_2";
 
 /// Opens the shared object at its first call; it stays open. It lies in the folder of libraries beside the program's
 /// own folder, wherever both were moved together. Thread-safe. Throws Error(`kind`), saying where it was looked for,

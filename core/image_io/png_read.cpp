@@ -47,6 +47,16 @@ Image read_png(const std::filesystem::path& path) {
   return image;
 }
 
+TexelSize png_texel_size(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels) {
+  constexpr uint64_t kBytesPerTexel = 4;
+  const PngFile file(path);
+  require_readable_size(path, file.width_px(), file.height_px(), file.channels());
+  require_texel_size(path, file.width_px(), file.height_px(), {largest_side_px, most_texels});
+  const auto height = static_cast<uint64_t>(file.height_px());
+  return {file.width_px(), file.height_px(),
+          height * (kBytesPerTexel * static_cast<uint64_t>(file.width_px()) + 2 * file.row_bytes())};
+}
+
 TexelImage read_png_texels(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels) {
   require_whole(path);
   PngFile file(path);

@@ -60,6 +60,14 @@ std::string read_description(const fs::path& path) try {
   return "";
 }
 
+TexelSize texel_size(const fs::path& path, int largest_side_px, uint64_t most_texels) try {
+  require_regular_file(path);
+  return is_png(path) ? png_texel_size(path, largest_side_px, most_texels)
+                      : image_formats(ErrorKind::input).read_format_texel_size(path, largest_side_px, most_texels);
+} catch (...) {
+  throw_as_input_error(path);
+}
+
 TexelImage read_texels(const fs::path& path, int largest_side_px, uint64_t most_texels) try {
   require_regular_file(path);
   return is_png(path) ? read_png_texels(path, largest_side_px, most_texels)

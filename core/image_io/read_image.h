@@ -17,9 +17,12 @@ Image read_image(const std::filesystem::path& path);
 /// be read. Looks at the header, and at a PNG's checksums. Thread-safe.
 std::string read_description(const std::filesystem::path& path);
 
-/// The same as 8-bit display codes, for textures; a TexelReader. Float files are clamped to 0-1 and encoded as sRGB;
+/// What read_texels() will give and take, from the header alone; a TexelSizer. Also throws over the given limits.
+TexelSize texel_size(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
+
+/// The picture as 8-bit display codes, for textures; a TexelReader. Float files are clamped to 0-1 and encoded as sRGB;
 /// grey becomes three equal colours; channels beyond four are left out. Alpha that a BMP or TGA file itself calls
-/// unused counts as opaque (unused_alpha.h). Takes four bytes per pixel. Also throws over the given limits.
+/// unused counts as opaque (unused_alpha.h). Also throws over the given limits.
 TexelImage read_texels(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
 
 }  // namespace hybridrt

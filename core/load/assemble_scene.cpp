@@ -113,7 +113,7 @@ void take_normals(MeshData& mesh, Scene& scene, Warnings& warnings) {
 /// Whether any of the meshes may need a texture.
 bool needs_texcoords(const std::vector<LoadedMesh>& meshes, const LoadWatch& watch) {
   const auto has_maps = [](const Material& material) { return !material.maps.empty(); };
-  return watch.read_texels && std::any_of(meshes.begin(), meshes.end(), [&](const LoadedMesh& mesh) {
+  return watch.textures && std::any_of(meshes.begin(), meshes.end(), [&](const LoadedMesh& mesh) {
            return std::any_of(mesh.library.begin(), mesh.library.end(), has_maps);
          });
 }

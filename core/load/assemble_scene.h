@@ -28,7 +28,7 @@ struct LoadedMesh {
 ///  - Where a mesh names no material and its MTL files have only one, that is used, with a warning.
 ///  - Colours of vertices and faces are kept as mesh_colors.h says.
 ///  - Materials that cannot be seen are told of (invisible.h).
-///  - Textures are read by watch.read_texels (load_textures.h). Texture coordinates are kept only for them.
+///  - Textures are read by watch.textures (load_textures.h). Texture coordinates are kept only for them.
 /// Throws Error (input) for a mesh without a usable face and for a scene too large or small for single precision.
 Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings& warnings, const LoadWatch& watch = {});
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <map>
-#include <optional>
+#include <span>
 #include <tuple>
 
+#include "core/base/byte_budget.h"
 #include "core/base/error.h"
+#include "core/base/memory.h"
 #include "core/image/mip_levels.h"
 #include "core/image/srgb.h"
 #include "core/load/mesh_data.h"
@@ -20,20 +22,25 @@ static_assert(static_cast<uint32_t>(MapKind::diffuse) == HRT_MAP_DIFFUSE &&
               static_cast<uint32_t>(MapKind::emitted) == HRT_MAP_EMITTED &&
               static_cast<uint32_t>(MapKind::holes) == HRT_MAP_HOLES);
 
-constexpr size_t kReadTogether = 8;         // bounds the memory used besides the words
+constexpr uint64_t kMipBytesPerTexel = 5;   // fill_mip_levels() keeps a quarter of them as sums
 constexpr uint32_t kMostMapSets = 1 << 20;  // the GPU gets their indices as floats
 
 /// An image as one kind of map uses it.
 struct TextureImage {
   const TextureMap* map = nullptr;
   int width_px = 0, height_px = 0, levels = 1;
-  std::vector<uint32_t> texels;  ///< all levels, one after the other
-  bool has_holes = false;        ///< some alpha is under one half
-  bool alpha_is_zero = false;    ///< in every texel of the file: it counts as opaque
-  uint32_t first = 0;            ///< its index in the words
-  bool missing = false;          ///< replaced by a checker, except for map_d
-  std::string failure;           ///< why, unless the MTL reader has already said so
+  uint64_t reading_bytes = 0;  ///< memory that it takes besides the words while it is read
+  bool has_holes = false;      ///< some alpha is under one half
+  bool alpha_is_zero = false;  ///< in every texel of the file: it counts as opaque
+  uint32_t first = 0;          ///< index in the words of all its levels, one after the other
+  bool missing = false;        ///< replaced by a checker, except for map_d
+  std::string failure;         ///< why, unless the MTL reader has already said so
   bool usable_as(MapKind kind) const { return kind == MapKind::diffuse || !missing; }
+  bool has_levels() const { return map->kind != MapKind::holes; }
+  uint64_t word_count() const {
+    return has_levels() ? mip_texel_count(width_px, height_px)
+                        : static_cast<uint64_t>(width_px) * static_cast<uint64_t>(height_px);
+  }
 };
 
 using Key = std::tuple<std::string, bool, char, float, float>;
@@ -68,13 +75,14 @@ void make_opacity(TexelImage& image, const TextureMap& map) {
   }
 }
 
-/// A checker of eight by eight squares.
-TexelImage checker() {
-  constexpr int kSide_px = 64;
-  TexelImage image{kSide_px, kSide_px, false, {}};
-  for (int y = 0; y < kSide_px; ++y)
-    for (int x = 0; x < kSide_px; ++x) image.texels.push_back((x / 8 + y / 8) % 2 ? 0xFFFF00FFu : 0xFF404040u);
-  return image;
+constexpr int kCheckerSide_px = 64;
+
+/// A checker of eight by eight squares, with its levels; returns how many.
+int draw_checker(std::span<uint32_t> words) {
+  for (int y = 0; y < kCheckerSide_px; ++y)
+    for (int x = 0; x < kCheckerSide_px; ++x)
+      words[static_cast<size_t>(y * kCheckerSide_px + x)] = (x / 8 + y / 8) % 2 ? 0xFFFF00FFu : 0xFF404040u;
+  return fill_mip_levels(words, kCheckerSide_px, kCheckerSide_px);
 }
 
 /// An alpha of 0 in every texel is a channel that nobody filled in.
@@ -85,18 +93,18 @@ bool drop_zero_alpha(TexelImage& image) {
   return true;
 }
 
-void prepare(TextureImage& image, TexelImage&& read) {
+/// Makes what is read into what the image's map uses, in its place among the words.
+void prepare(TextureImage& image, TexelImage&& read, std::span<uint32_t> words) {
   const TextureMap& map = *image.map;
   image.alpha_is_zero = drop_zero_alpha(read);
-  image.width_px = read.width_px, image.height_px = read.height_px;
   if (map.kind == MapKind::holes)
     make_opacity(read, map);
   else if (map.channel)
     for (uint32_t& texel : read.texels) texel = channel_of(texel, map.channel) * 0x010101u | 0xFF000000u;
   image.has_holes =
       std::any_of(read.texels.begin(), read.texels.end(), [](uint32_t texel) { return texel >> 24 < 128; });
-  image.texels = std::move(read.texels);
-  if (map.kind != MapKind::holes) image.levels = append_mip_levels(image.texels, 0, image.width_px, image.height_px);
+  std::copy(read.texels.begin(), read.texels.end(), words.begin());
+  if (image.has_levels()) image.levels = fill_mip_levels(words, image.width_px, image.height_px);
 }
 
 class Loader {
@@ -108,6 +116,7 @@ class Loader {
     find_images();
     if (sets_ == 0) return;
     lay_out();
+    place_images();
     read_images();
     set_materials();
     if (!any_) return;
@@ -141,16 +150,55 @@ class Loader {
     textures_.words.resize(next_record_ + size_t{HRT_TEXTURE_RECORD} * records_);
   }
 
-  /// Reads a few at a time and takes them in order: which ones the words have no room for does not depend on the
-  /// threads.
-  void read_images() {
+  /// By their headers, in order: which ones the words have no room for does not depend on the threads.
+  void place_images() {
+    pool_.run(images_.size(), [&](size_t i, int) { measure(images_[i]); });
     const uint64_t most_words = std::min<uint64_t>(kMostTextureWords, watch_.most_bytes / 16);
-    for (size_t begin = 0; begin < images_.size(); begin += kReadTogether) {
-      const uint64_t left = most_words - std::min<uint64_t>(most_words, textures_.words.size());
-      const size_t count = std::min(kReadTogether, images_.size() - begin);
-      pool_.run(count, [&](size_t i, int) { read(images_[begin + i], std::min(left, kMostTexels)); });
-      for (size_t i = begin; i < begin + count; ++i) take(images_[i], most_words);
+    uint64_t words = textures_.words.size();
+    for (TextureImage& image : images_) {
+      if (image.missing || !image.failure.empty()) continue;
+      if (words + image.word_count() > most_words) {
+        image.failure = fmt::format("{}: no memory is left for it among the other textures", image.map->path.string());
+        continue;
+      }
+      image.first = static_cast<uint32_t>(words);
+      words += image.word_count();
     }
+    textures_.words.resize(words);
+  }
+
+  void measure(TextureImage& image) const {
+    const TextureMap& map = *image.map;
+    image.missing = map.path.empty();
+    if (image.missing) return;
+    try {
+      const TexelSize size = watch_.textures.size(map.path, kLargestTextureSide_px, kMostTexels);
+      image.width_px = size.width_px, image.height_px = size.height_px;
+      image.reading_bytes = size.decoding_bytes + kMipBytesPerTexel * static_cast<uint64_t>(size.width_px) *
+                                                      static_cast<uint64_t>(size.height_px);
+      if (image.reading_bytes > most_reading_bytes())
+        image.failure = fmt::format(
+            "{}: decoding its {}x{} pixels takes {} of memory, but {} are left; raise --max-memory "
+            "or use a smaller image",
+            map.path.string(), size.width_px, size.height_px, size_text(image.reading_bytes),
+            size_text(most_reading_bytes()));
+    } catch (const Error& problem) {
+      image.failure = problem.what();
+    }
+  }
+
+  uint64_t most_reading_bytes() const { return watch_.most_bytes / 4; }
+
+  /// As many side by side as there is memory for.
+  void read_images() {
+    ByteBudget budget(most_reading_bytes());
+    pool_.run(images_.size(), [&](size_t i, int) {
+      TextureImage& image = images_[i];
+      if (image.missing || !image.failure.empty()) return;
+      const ByteBudget::Share share = budget.take(image.reading_bytes);
+      read(image);
+    });
+    for (TextureImage& image : images_) report(image);
     if (unreadable_ > 0)
       warnings_.push_back(
           fmt::format("{} textures cannot be used: map_Kd becomes a checker, others are left out (first: {})",
@@ -160,35 +208,41 @@ class Loader {
                                       zero_alpha_.count(), zero_alpha_.text()));
   }
 
-  void read(TextureImage& image, uint64_t most_texels) const {
-    const TextureMap& map = *image.map;
-    image.missing = map.path.empty();
-    if (image.missing) return;
+  void read(TextureImage& image) {
+    const std::filesystem::path& path = image.map->path;
     try {
-      prepare(image, watch_.read_texels(map.path, kLargestTextureSide_px, most_texels));
+      TexelImage texels = watch_.textures.read(path, kLargestTextureSide_px, kMostTexels);
+      if (texels.width_px != image.width_px || texels.height_px != image.height_px)
+        throw error(ErrorKind::input, "{}: changed while it was read; run again", path.string());
+      prepare(image, std::move(texels), std::span(textures_.words).subspan(image.first, image.word_count()));
     } catch (const Error& problem) {
       image.failure = problem.what();
     }
   }
 
-  void take(TextureImage& image, uint64_t most_words) {
+  void report(TextureImage& image) {
     const std::string file = image.map->path.string();
-    if (image.failure.empty() && textures_.words.size() + image.texels.size() > most_words)
-      image.failure = fmt::format("{}: no memory is left for it among the other textures", file);
     if (!image.failure.empty()) {
       image.missing = true;
       if (unreadable_++ == 0) first_failure_ = image.failure;
     }
     if (image.alpha_is_zero) zero_alpha_.add(image.map->path.filename().string());
     if (image.missing) {
-      if (image.map->kind == MapKind::holes) return;
-      prepare(image, checker());
+      if (image.has_levels()) become_checker(image);
     } else if (std::find(scene_.files.begin(), scene_.files.end(), file) == scene_.files.end()) {
       scene_.files.push_back(file);
     }
-    image.first = static_cast<uint32_t>(textures_.words.size());
-    textures_.words.insert(textures_.words.end(), image.texels.begin(), image.texels.end());
-    image.texels = {};
+  }
+
+  /// All missing images share one.
+  void become_checker(TextureImage& image) {
+    image.width_px = image.height_px = kCheckerSide_px;
+    if (checker_first_ == 0) {
+      checker_first_ = static_cast<uint32_t>(textures_.words.size());
+      textures_.words.resize(checker_first_ + image.word_count());
+      checker_levels_ = draw_checker(std::span(textures_.words).subspan(checker_first_));
+    }
+    image.first = checker_first_, image.levels = checker_levels_;
   }
 
   uint32_t add_record(const TextureImage& image, const TextureMap& map) {
@@ -276,6 +330,8 @@ class Loader {
   uint32_t sets_ = 0, records_ = 0, next_set_ = 0, next_record_ = 0;
   std::map<uint32_t, bool> any_read_;  ///< per set of maps: some image is not missing
   bool any_ = false;                   ///< some material has a texture
+  uint32_t checker_first_ = 0;         ///< 0: none is needed so far
+  int checker_levels_ = 1;
   size_t unreadable_ = 0;
   NameList zero_alpha_;
   std::string first_failure_;

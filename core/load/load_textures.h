@@ -7,7 +7,7 @@
 
 namespace hybridrt {
 
-/// Reads the textures that the materials of the scene's triangles name, with watch.read_texels, and fills
+/// Reads the textures that the materials of the scene's triangles name, with watch.textures, and fills
 /// scene.textures, Material::texture_maps and scene.files. `textures` holds the texture coordinates; its
 /// triangle_texcoords may hold kNoIndex: such corners are at (0, 0), with a warning. Without any texture nothing is
 /// kept.
@@ -17,8 +17,10 @@ namespace hybridrt {
 ///  - An alpha of 0 in every texel counts as opaque, with a warning.
 ///  - Holes come from map_d, else from the alpha of map_Kd, if any of its texels is under one half. map_d takes the
 ///    image's alpha, if it has any, else its brightness.
-///  - A file is read once. All textures together may take kMostTextureWords and a quarter of watch.most_bytes; those
-///    beyond count as unreadable. The same for any number of threads.
+///  - A file is read once. All textures together may take kMostTextureWords and a quarter of watch.most_bytes, and
+///  those
+///    that are being decoded another quarter; those beyond count as unreadable, by their headers. The same for any
+///    number of threads.
 void load_textures(Scene& scene, Textures&& textures, ThreadPool& pool, Warnings& warnings, const LoadWatch& watch);
 
 }  // namespace hybridrt

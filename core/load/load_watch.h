@@ -13,13 +13,13 @@ struct LoadProgress {
   std::atomic<uint64_t> bytes{0}, bytes_read{0};  ///< bytes of all files, and of those that have been read
 };
 
-/// The memory limit of loading, its reader of textures, where it reports progress, and how colours are meant.
+/// The memory limit of loading, how it reads textures, where it reports progress, and how colours are meant.
 struct LoadWatch {
   uint64_t most_bytes =
       std::numeric_limits<uint64_t>::max();  ///< memory limit; scenes that would take more are refused
   LoadProgress* progress = nullptr;
-  TexelReader read_texels = {};  ///< null: textures are left out
-  bool linear_colors = false;    ///< colours of vertices and faces are linear, not sRGB
+  TexelFiles textures = {};    ///< empty: textures are left out
+  bool linear_colors = false;  ///< colours of vertices and faces are linear, not sRGB
 };
 
 }  // namespace hybridrt

@@ -120,8 +120,8 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
 }
 
 void require_room_for_frames(const RenderSettings& s, size_t light_count, int threads, int64_t frame_count,
-                             uint64_t most_bytes) {
-  const uint64_t bytes = estimate_frame_memory(s, light_count, threads, frame_count).total();
+                             uint64_t sheet_bytes, uint64_t most_bytes) {
+  const uint64_t bytes = estimate_frame_memory(s, light_count, threads, frame_count).total() + sheet_bytes;
   if (bytes > most_bytes)
     throw error(
         ErrorKind::usage,

@@ -34,9 +34,10 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
                                const RenderSettings& settings, size_t light_count, bool light_moves, int threads,
                                int64_t frame_count);
 
-/// Throws Error (usage), saying what to do, if the frames alone need more than `most_bytes`. GPU memory counts too: a
+/// Throws Error (usage), saying what to do, if the frames and a contact sheet of `sheet_bytes` need more than
+/// `most_bytes`. GPU memory counts too: a
 /// software GL keeps it in main memory.
 void require_room_for_frames(const RenderSettings& settings, size_t light_count, int threads, int64_t frame_count,
-                             uint64_t most_bytes);
+                             uint64_t sheet_bytes, uint64_t most_bytes);
 
 }  // namespace hybridrt

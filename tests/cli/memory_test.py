@@ -50,6 +50,12 @@ class MemoryTest(CliTestCase):
         claims = {
             "claim.exr": number(20000630) + number(2) + b"x\0string\0" + number(0x7FFFFFFF) + bytes(1000),
             "claim.gif": b"GIF89a" + number(65535, 2) * 2 + bytes(25),
+            # Progressive: its coefficients are kept.
+            "claim.jpg": (b"\xff\xd8\xff\xc2" + big(17, 2) + b"\x08" + big(60000, 2) * 2 +
+                          b"\3\1\x22\0\2\x11\0\3\x11\0\xff\xda" + big(12, 2) + b"\3\1\0\2\0\3\0\0\0\0" + bytes(20)),
+            "claim_tiles.exr": (number(20000630) + number(0x202) + b"channels\0chlist\0" + number(19) + b"Y\0" + number(1) +
+                                bytes(4) + number(1) * 2 + b"\0" + b"dataWindow\0box2i\0" + number(16) + bytes(8) +
+                                number(15999) * 2 + b"tiles\0tiledesc\0" + number(9) + number(1) * 2 + b"\0\0" + bytes(9)),
             "claim.j2k": (big(0xFF4FFF51) + big(47, 2) + bytes(2) + big(16000) * 2 + bytes(8) + big(16000) * 2 + bytes(8) +
                           big(3, 2) + b"\7\1\1" * 3 + bytes(2000))}
         for name, content in claims.items():
@@ -62,6 +68,33 @@ class MemoryTest(CliTestCase):
             self.assertIn(f"{name}: cannot be read: ", done.stderr)
             with open(self.path("out/run.json"), encoding="utf-8") as file:
                 self.assertLess(json.load(file)["peak_memory_mib"], 600, name)
+
+    def test_textures_decoded_side_by_side_are_counted(self):
+        self.write("t.obj", TRIANGLE)
+        self.succeed("render", "t.obj", "-q", "--gl", "off", "--size", "2048x2048", "-o", "picture.jpg")
+        with open(self.path("picture.jpg"), "rb") as file:
+            picture = file.read()
+        names = [f"picture{i}.jpg" for i in range(7)]
+        for name in names:
+            with open(self.path(name), "wb") as file:
+                file.write(picture)
+        self.write("t.mtl", "".join(f"newmtl {name}\nmap_Kd {name}\n" for name in names))
+        self.write("t.obj", "mtllib t.mtl\nvt 0 0\n" +
+                   "".join(f"usemtl {name}\nv {2 * i} 0 0\nv {2 * i + 1} 0 0\nv {2 * i} 1 0\nf -3/1 -2/1 -1/1\n" for i, name in enumerate(names)))
+        # Seven times 22 MiB of texels, and at most twice 80 that are being decoded; all at once would be 560.
+        done = self.succeed("render", "t.obj", *SMALL, "-q", "--gl", "off", "--threads", "8", "--max-memory", "700M", "-o",
+                            "out/x.png")
+        self.assertEqual(done.stderr, "")
+        with open(self.path("out/run.json"), encoding="utf-8") as file:
+            self.assertLess(json.load(file)["peak_memory_mib"], 550)
+        refused = self.succeed("render", "t.obj", *SMALL, "-q", "--gl", "off", "--max-memory", "200M", "-o", "tight/x.png")
+        self.assertIn("picture0.jpg: decoding its 2048x2048 pixels takes", refused.stderr)
+
+    def test_a_contact_sheet_is_counted(self):
+        render = ("render", SCENE, "-q", "--gl", "off", "--method", "raytrace", "--size", "320x960", "--frames", "20",
+                  "--max-memory", "150M")
+        self.fail_with(2, *render, "--contact-sheet", "sheet.png", says=("150", "--max-memory"))
+        self.succeed(*render, "-o", "out/x.####.png")
 
     def test_a_contact_sheet_of_tall_pictures_is_no_larger_than_they_are(self):
         self.succeed("render", SCENE, "-q", "--gl", "off", "--size", "1x20000", "--frames", "3", "--contact-sheet",

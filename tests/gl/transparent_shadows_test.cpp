@@ -35,7 +35,7 @@ class TransparentShadows : public testing::TestWithParam<Mode> {
                      "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
                      "v -1 1 1\nv 1 1 1\nv 1 1 -1\nv -1 1 -1\nusemtl pane\nf 5/1 6/2 7/3 8/4\n");
     LoadWatch watch;
-    watch.read_texels = pattern_named;
+    watch.textures = texel_files(pattern_named);
     ThreadPool pool(1);
     Warnings warnings;
     return load_scene(obj.string(), pool, warnings, std::nullopt, watch);

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/image_io/encode_image.h"
 #include "core/image_io/read_image.h"
 #include "tests/image_io/encoded_file.h"
@@ -25,12 +26,16 @@ std::string big(uint64_t value, int bytes) {
   return {text.rbegin(), text.rend()};
 }
 
-std::string fault_of(const std::string& bytes, uint64_t most_texels = kTexels) {
+HeaderClaim claim_of(const std::string& bytes, uint64_t most_texels = kTexels) {
   const std::string path = testing::TempDir() + "/hybridrt_header";
   std::ofstream(path, std::ios::binary) << bytes;
-  const std::string fault = header_fault(path, kSide_px, most_texels);
+  HeaderClaim claim = header_claim(path, {kSide_px, most_texels});
   std::remove(path.c_str());
-  return fault;
+  return claim;
+}
+
+std::string fault_of(const std::string& bytes, uint64_t most_texels = kTexels) {
+  return claim_of(bytes, most_texels).fault;
 }
 
 std::string codestream(uint64_t width, uint64_t height, uint64_t components, uint64_t tile = 1 << 20) {
@@ -58,8 +63,15 @@ TEST(HeaderCheck, PicturesThatWeWritePass) {
   for (const char* format : {"png", "jpg", "tif", "bmp", "exr", "gif", "jp2", "hdr", "tga"}) {
     if (!can_write_format(format)) continue;
     const EncodedFile file(Image(64, 48, 3, 0.5f), format);
-    EXPECT_EQ(header_fault(file.path, kSide_px, kTexels), "") << format;
-    EXPECT_EQ(header_fault(file.path, 64, 64 * 48), "") << format;
+    EXPECT_EQ(header_claim(file.path, {kSide_px, kTexels}).fault, "") << format;
+    EXPECT_EQ(header_claim(file.path, {64, 64 * 48}).fault, "") << format;
+    const TexelSize size = texel_size(file.path, 64, 64 * 48);
+    EXPECT_EQ(size.width_px, 64) << format;
+    EXPECT_EQ(size.height_px, 48) << format;
+    EXPECT_GE(size.decoding_bytes, 64u * 48 * (4 + 1)) << format;
+    EXPECT_LE(size.decoding_bytes, 64u * 48 * 80) << format;
+    EXPECT_THROW(texel_size(file.path, 63, 64 * 48), Error) << format;
+    EXPECT_THROW(texel_size(file.path, 64, 64 * 48 - 1), Error) << format;
   }
 }
 
@@ -83,6 +95,26 @@ TEST(HeaderCheck, Gif) {
   EXPECT_TRUE(has(fault_of("GIF89a" + little(65535, 2) + little(65535, 2)), "65535x65535"));
 }
 
+// An otherwise whole progressive file of 545 bytes made libjpeg take 10 GB.
+TEST(HeaderCheck, Jpeg) {
+  const std::string start = big(0xFFD8, 2), comment = big(0xFFFE, 2) + big(6, 2) + big(0xFFC2, 2) + "xx";
+  const auto frame = [](uint64_t code, uint64_t width, uint64_t height) {
+    return big(code, 2) + big(17, 2) + big(8, 1) + big(height, 2) + big(width, 2) + big(3, 1) + std::string(9, '\1');
+  };
+  for (const uint64_t code : {0xFFC0, 0xFFC1, 0xFFC2, 0xFFCA}) {
+    const HeaderClaim claim = claim_of(start + comment + frame(code, 4000, 3000));
+    EXPECT_EQ(claim.fault, "");
+    EXPECT_EQ(claim.width_px, 4000u);
+    EXPECT_EQ(claim.height_px, 3000u);
+    EXPECT_GE(claim.decoding_bytes, 4000u * 3000 * (4 + 3 * 2));
+    EXPECT_TRUE(has(fault_of(start + comment + frame(code, 60000, 60000)), "60000x60000 pixels are too large"));
+  }
+  const std::string tables = big(0xFFC4, 2) + big(19, 2) + std::string(17, '\0');
+  EXPECT_TRUE(has(fault_of(start + tables + std::string(5000, 'x') + "\xFF" + frame(0xFFC2, 60000, 8)), "60000x8"))
+      << "bytes between segments, and more than one 0xFF, are passed over as libjpeg does";
+  EXPECT_EQ(fault_of(start + big(0xFFDA, 2) + frame(0xFFC2, 60000, 8)), "") << "after a scan none is read";
+}
+
 TEST(HeaderCheck, Exr) {
   const auto window = [](int width, int height) {
     return attribute("dataWindow", "box2i", little(0, 8) + little(width - 1, 4) + little(height - 1, 4));
@@ -93,6 +125,13 @@ TEST(HeaderCheck, Exr) {
   EXPECT_TRUE(
       has(fault_of(exr(attribute("preview", "preview", little(40000, 4) + little(40000, 4)))), "preview of 40000x"));
   EXPECT_EQ(fault_of(exr(attribute("preview", "preview", little(1, 4) + little(1, 4) + "rgba"))), "");
+  const auto tiled = [&](int size, uint64_t tile_px) {
+    return exr(window(size, size) + attribute("tiles", "tiledesc", little(tile_px, 4) + little(tile_px, 4) + '\0'));
+  };
+  EXPECT_EQ(fault_of(tiled(100, 64)), "");
+  EXPECT_TRUE(has(fault_of(tiled(16000, 1)), "256000000 chunks in a file of"));
+  EXPECT_TRUE(has(fault_of(tiled(16000, 16000)), "tiles of 16000x16000 pixels are too large"));
+  EXPECT_TRUE(has(fault_of(exr(window(64, 64) + attribute("chunkCount", "int", little(0x7FFFFFFF, 4)))), "chunks"));
 }
 
 }  // namespace

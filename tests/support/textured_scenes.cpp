@@ -40,6 +40,14 @@ TexelImage pattern_named(const std::filesystem::path& path, int largest_side_px,
   return image;
 }
 
+TexelFiles texel_files(TexelReader read) {
+  const auto size = [read](const std::filesystem::path& path, int largest_side_px, uint64_t most_texels) {
+    const TexelImage image = read(path, largest_side_px, most_texels);
+    return TexelSize{image.width_px, image.height_px, 8 * image.texels.size()};
+  };
+  return {size, std::move(read)};
+}
+
 Scene textured_triangle(const TexelImage& image, TextureMap map) {
   Scene scene;
   add_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
@@ -51,7 +59,7 @@ Scene textured_triangle(const TexelImage& image, TextureMap map) {
   textures.texcoords = {vec2(0, 0), vec2(1, 0), vec2(0, 1)};
   textures.triangle_texcoords = {uvec3(0, 1, 2)};
   LoadWatch watch;
-  watch.read_texels = [&](const std::filesystem::path&, int, uint64_t) { return image; };
+  watch.textures = texel_files([&](const std::filesystem::path&, int, uint64_t) { return image; });
   ThreadPool pool(1);
   Warnings warnings;
   load_textures(scene, std::move(textures), pool, warnings, watch);
@@ -73,7 +81,7 @@ Scene with_random_holes(Scene scene, uint32_t seed) {
     textures.triangle_texcoords.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
   }
   LoadWatch watch;
-  watch.read_texels = pattern_named;
+  watch.textures = texel_files(pattern_named);
   ThreadPool pool(1);
   Warnings warnings;
   load_textures(scene, std::move(textures), pool, warnings, watch);
@@ -95,7 +103,7 @@ Scene textured_room() {
                    "v -3 0 -3.5\nv 3 0 -3.5\nv 3 3 -3\nv -3 3 -3\nusemtl mirror\nf 9/1 10/2 11/3 12/4\n"
                    "v 2 0.2 -1\nv 3.5 0.2 -1\nv 3.5 2 -1\nv 2 2 -1\nusemtl lamp\nf 13/5 14/2 15/3 16/4\n");
   LoadWatch watch;
-  watch.read_texels = pattern_named;
+  watch.textures = texel_files(pattern_named);
   ThreadPool pool(2);
   Warnings warnings;
   return load_scene(obj.string(), pool, warnings, std::nullopt, watch);

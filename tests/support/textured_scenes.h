@@ -14,6 +14,9 @@ inline uint32_t texel_of(uint32_t red, uint32_t green, uint32_t blue, uint32_t a
 /// with alpha 0 throughout, "faint" with 100, "torn" refuses.
 TexelImage pattern_named(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels);
 
+/// A reader whose sizes are those of what it reads.
+TexelFiles texel_files(TexelReader read);
+
 /// `image` as the only texture (map_Kd) of a scene of one triangle, (0,0,0) (1,0,0) (0,1,0), whose texture coordinates
 /// are its x and y.
 Scene textured_triangle(const TexelImage& image, TextureMap map = {});

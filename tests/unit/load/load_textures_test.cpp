@@ -3,6 +3,8 @@
 #include "core/load/load_textures.h"
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 #include "shaders/shared.h"
 #include "tests/support/load_scene.h"
@@ -29,7 +31,8 @@ struct LoadTextures : testing::Test {
   Scene load(const string& mtl, const string& faces, LoadWatch watch = {}, int threads = 2) {
     folder.write("a.mtl", mtl);
     const string obj = folder.write("a.obj", kQuads + faces).string();
-    watch.read_texels = [this](const std::filesystem::path& path, int side, uint64_t most) {
+    watch.textures = texel_files(pattern_named);
+    watch.textures.read = [this](const std::filesystem::path& path, int side, uint64_t most) {
       ++reads;
       return pattern_named(path, side, most);
     };
@@ -164,6 +167,52 @@ TEST_F(LoadTextures, MemoryIsBounded) {
   const Scene tight = load(mtl, faces, watch);
   EXPECT_TRUE(warned(warnings, "noise2.png: no memory is left"));
   EXPECT_NE(record(tight, 0, HRT_MAP_DIFFUSE), 0u);
+}
+
+// Ten pictures of 1 MB each to decode, of which 2.5 MB may be in work at a time; one asks for more than that.
+TEST_F(LoadTextures, DecodingIsBounded) {
+  constexpr uint64_t kEach = 1 << 20;
+  string mtl, faces;
+  for (int i = 0; i < 10; ++i) {
+    folder.write(fmt::format("noise{}.png", i), "x");
+    mtl += fmt::format("newmtl m{}\nmap_Kd noise{}.png\n", i, i);
+    faces += fmt::format("usemtl m{}\nf 1/1 2/2 3/3\n", i);
+  }
+  folder.write("a.mtl", mtl);
+  const string obj = folder.write("a.obj", kQuads + faces).string();
+  std::atomic<uint64_t> now = 0, most = 0;
+  LoadWatch watch;
+  watch.most_bytes = 10 * kEach;
+  watch.textures.size = [](const std::filesystem::path& path, int side, uint64_t most_texels) {
+    const TexelImage image = pattern_named(path, side, most_texels);
+    return TexelSize{image.width_px, image.height_px, path.filename() == "noise7.png" ? 3 * kEach : kEach};
+  };
+  watch.textures.read = [&](const std::filesystem::path& path, int side, uint64_t most_texels) {
+    const uint64_t held = now += kEach;
+    for (uint64_t seen = most; seen < held && !most.compare_exchange_weak(seen, held);) continue;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    now -= kEach;
+    return pattern_named(path, side, most_texels);
+  };
+  ThreadPool pool(5);
+  const Scene scene = load_scene(obj, pool, warnings, std::nullopt, watch);
+  EXPECT_LE(most, 2 * kEach);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warned(warnings, "1 textures cannot be used"));
+  EXPECT_TRUE(warned(warnings, "noise7.png: decoding its 12x7 pixels takes 3.0 MiB of memory, but 2.5 MiB"));
+}
+
+TEST_F(LoadTextures, AFileThatChangesMeanwhileIsNotUsed) {
+  folder.write("a.mtl", "newmtl a\nmap_Kd noise.png\n");
+  const string obj = folder.write("a.obj", kQuads + "usemtl a\nf 1/1 2/2 3/3\n").string();
+  LoadWatch watch;
+  watch.textures = texel_files(pattern_named);
+  watch.textures.read = [](const std::filesystem::path&, int side, uint64_t most) {
+    return pattern_named("leaf.png", side, most);
+  };
+  ThreadPool pool(2);
+  load_scene(obj, pool, warnings, std::nullopt, watch);
+  EXPECT_TRUE(warned(warnings, "noise.png: changed while it was read"));
 }
 
 TEST_F(LoadTextures, TheSameForAnyThreads) {

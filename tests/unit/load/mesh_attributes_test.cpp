@@ -20,7 +20,7 @@ struct MeshAttributes : testing::Test {
 
   Scene load(const string& name, const string& bytes) {
     LoadWatch watch;
-    watch.read_texels = pattern_named;
+    watch.textures = texel_files(pattern_named);
     ThreadPool pool(2);
     warnings.clear();
     const std::filesystem::path path = folder.write(name, bytes);

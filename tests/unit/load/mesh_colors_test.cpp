@@ -16,7 +16,7 @@ struct MeshColors : testing::Test {
 
   Scene load(const string& text, bool linear = false, const string& name = "a.obj") {
     LoadWatch watch;
-    watch.read_texels = pattern_named;
+    watch.textures = texel_files(pattern_named);
     watch.linear_colors = linear;
     ThreadPool pool(2);
     warnings.clear();

@@ -13,7 +13,7 @@ namespace {
 Scene load(const std::filesystem::path& path, Warnings& warnings, UpAxis up = UpAxis::y) {
   ThreadPool pool(2);
   LoadWatch watch;
-  watch.read_texels = pattern_named;
+  watch.textures = texel_files(pattern_named);
   return load_meshes({&path, 1}, up, pool, warnings, watch);
 }
 

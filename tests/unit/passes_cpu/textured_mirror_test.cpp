@@ -24,7 +24,7 @@ Scene ceiling(bool with_mirror) {
                    "usemtl lamp\nf 1/1 2/2 3/3 4/4\n" +
                        (with_mirror ? floor : std::string()));
   LoadWatch watch;
-  watch.read_texels = pattern_named;
+  watch.textures = texel_files(pattern_named);
   ThreadPool pool(1);
   Warnings warnings;
   return load_scene(obj.string(), pool, warnings, std::nullopt, watch);

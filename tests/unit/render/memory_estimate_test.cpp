@@ -93,9 +93,9 @@ TEST(SceneMemory, TexturesCountTwiceWithGl) {
 TEST(FrameMemory, IsRefusedAboveTheLimit) {
   const RenderSettings settings;
   const uint64_t needed = estimate_frame_memory(settings, 1, 2, 10).total();
-  EXPECT_NO_THROW(require_room_for_frames(settings, 1, 2, 10, needed));
+  EXPECT_NO_THROW(require_room_for_frames(settings, 1, 2, 10, 7, needed + 7));
   try {
-    require_room_for_frames(settings, 1, 2, 10, needed - 1);
+    require_room_for_frames(settings, 1, 2, 10, 7, needed + 6);
     ADD_FAILURE() << "not refused";
   } catch (const Error& refused) {
     EXPECT_EQ(refused.kind(), ErrorKind::usage);
