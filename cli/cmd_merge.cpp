@@ -62,10 +62,12 @@ TableNames write_tables(const Joined& joined, const fs::path& folder) {
   claim(claims, names.report);
   claims.remove_stale_temporaries();
   require_writable(names.report);
-  TimingsCsv timings(names.timings.string());
+  TimingsRows rows;
   for (const auto& [frame, shard] : joined.whose)
     if (const auto row = joined.shards[shard].rows.find(frame); row != joined.shards[shard].rows.end())
-      timings.add_row(row->second);
+      rows.insert(*row);
+  TimingsCsv timings(names.timings.string(), rows);
+  for (const auto& [frame, shard] : joined.whose) timings.add_earlier(frame);
   timings.finish();
   write_file_atomically(names.report, merged_report(joined, names.timings.string()).dump(2) + "\n");
   return names;

@@ -91,12 +91,18 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
   if (!paths.stream.name.empty())
     stream_.emplace(paths.stream, encode_options(options), most_written_bytes(job.settings, threads));
   if (paths.timings.empty()) return;
-  if (options.existing == Existing::resume) earlier_rows_ = read_timings_rows(paths.timings);
-  timings_.emplace(paths.timings);
+  if (options.existing == Existing::resume)
+    if (const std::optional<TimingsRows> rows = read_timings_rows(paths.timings)) {
+      has_row_.emplace();
+      for (const auto& [frame, row] : *rows) has_row_->insert(frame);
+      timings_.emplace(paths.timings, *rows);
+    }
+  if (!timings_) timings_.emplace(paths.timings);
 }
 
 bool FrameWriter::is_kept(int frame) const {
   if (options_.existing != Existing::resume || sheet_.shows(frame)) return false;
+  if (has_row_ && !has_row_->contains(frame)) return false;
   const std::string expected = description_of(frame_metadata(metadata_, job_, frame));
   const auto is_as_expected = [&](const std::filesystem::path& file) {
     return (with_record_ ? read_record(file) : read_description(file)) == expected;
@@ -115,9 +121,7 @@ bool FrameWriter::keeps(int frame) {
 
 void FrameWriter::add_kept_rows_before(int frame) {
   for (; !asked_.empty() && asked_.front().first != frame; asked_.pop_front())
-    if (const auto row = earlier_rows_.find(asked_.front().first);
-        timings_ && asked_.front().second && row != earlier_rows_.end())
-      timings_->add_row(row->second);
+    if (timings_ && asked_.front().second) timings_->add_earlier(asked_.front().first);
   if (!asked_.empty()) asked_.pop_front();
 }
 

@@ -2,7 +2,6 @@
 
 #include <deque>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -43,11 +42,12 @@ class FrameWriter {
   void start(const RunFacts& facts) {
     metadata_ = run_metadata(job_, facts, layered_);
     metadata_.halfs = options_.exr == ExrNumbers::half;
+    if (timings_) timings_->start();
   }
 
-  /// Whether the files of a frame are there and are what this run would write, byte for byte; then their row of an
-  /// earlier timings.csv is kept too. Asked for each frame, in order, before it is rendered. Frames of the contact
-  /// sheet are wanted.
+  /// Whether the files of a frame are there and are what this run would write, byte for byte; then their row of the
+  /// earlier timings.csv is kept too. A frame that such a file lacks is wanted: a run was killed before it wrote the
+  /// row. Asked for each frame, in order, before it is rendered. Frames of the contact sheet are wanted.
   bool keeps(int frame);
 
   /// Blocks while too many pictures wait to be written. Throws Error(output) if an earlier one could not be written.
@@ -62,7 +62,7 @@ class FrameWriter {
   const bool layered_;      ///< AOVs are layers of the picture, not files of their own
   const bool with_record_;  ///< the format keeps no metadata
   RunMetadata metadata_;
-  std::map<int, std::string> earlier_rows_;
+  std::optional<std::set<int>> has_row_;    ///< frames of the timings file that this run goes on with
   std::deque<std::pair<int, bool>> asked_;  ///< frames of keeps() that have not come to the timings; true: kept
   SheetCollector sheet_;
   std::optional<TimingsCsv> timings_;

@@ -54,7 +54,7 @@ Shard shard_of(const fs::path& file, Json report) {
                   frame, shard.sequence.first, shard.sequence.last);
     shard.fingerprints[number] = fingerprint.get<std::string>();
   }
-  shard.rows = read_timings_rows((file.parent_path() / fs::path(timings).filename()).string());
+  shard.rows = read_timings_rows((file.parent_path() / fs::path(timings).filename()).string()).value_or(TimingsRows());
   shard.report = std::move(report);
   return shard;
 }

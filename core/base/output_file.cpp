@@ -152,7 +152,7 @@ void OutputFile::commit() {
   sync_folder();
 }
 
-void OutputFile::checkpoint() {
+void OutputFile::checkpoint(std::string_view more) {
   if (temporary_.empty()) return;
   flush();
   OutputFile copy(path_);
@@ -161,6 +161,7 @@ void OutputFile::checkpoint() {
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) fail("copy", count < 0 ? errno : EIO);
   }
+  copy.write(more);
   copy.commit();
 }
 

@@ -46,9 +46,9 @@ class OutputFile {
   void flush();
   /// Makes the file appear.
   void commit();
-  /// Publishes what was written so far, atomically, and goes on; costs a copy of it. Does nothing for devices and
-  /// pipes.
-  void checkpoint();
+  /// Publishes what was written so far and `more`, atomically, and goes on without `more`; costs a copy of it. Does
+  /// nothing for devices and pipes.
+  void checkpoint(std::string_view more = {});
   uint64_t bytes() const { return written_ + buffer_.size(); }
 
  private:

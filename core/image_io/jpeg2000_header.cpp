@@ -44,10 +44,10 @@ HeaderClaim jpeg2000_claim(FileBytes& file, const TexelLimits& limits) {
   constexpr uint64_t kAlwaysAllowed = uint64_t{64} << 20;
   if (bytes <= std::max(kAlwaysAllowed, limits.most_texels * kBytesPerTexel))
     return {"", width, height, bytes + kBytesPerTexel * width * height};
-  return {fmt::format(
-      "decoding {}x{} pixels with {} components in {} tiles takes {:.1f} GB, which is too much; save it as "
-      "PNG or TIFF",
-      width, height, components, tiles, static_cast<double>(bytes) * 1e-9)};
+  return {
+      fmt::format("decoding {}x{} pixels with {} components in {} tiles takes {:.1f} GB, which is too much; save it as "
+                  "PNG or TIFF",
+                  width, height, components, tiles, static_cast<double>(bytes) * 1e-9)};
 }
 
 }  // namespace hybridrt

@@ -31,14 +31,15 @@ bool has_no_length(unsigned char marker) { return marker == 0x01 || (marker >= 0
 }  // namespace
 
 HeaderClaim jpeg_claim(FileBytes& file, const TexelLimits& limits) {
-  constexpr uint64_t kLargestBlock_px = 32;                     // four blocks of eight
+  constexpr uint64_t kLargestBlock_px = 32;                             // four blocks of eight
   constexpr uint64_t kBytesPerCoefficient = 2, kBytesPerTexel = 4 + 4;  // of the result, and rows on their way
   constexpr unsigned char kScan = 0xDA, kEnd = 0xD9;
   unsigned char marker = 0;
   uint64_t place = next_marker(file, 0, marker);
   while (place < file.size() && marker != kScan && marker != kEnd) {
     if (begins_frame(marker)) {
-      const uint64_t height = file.big(place + 3, 2), width = file.big(place + 5, 2), components = file.big(place + 7, 1);
+      const uint64_t height = file.big(place + 3, 2), width = file.big(place + 5, 2),
+                     components = file.big(place + 7, 1);
       const uint64_t padded = (width + kLargestBlock_px) * (height + kLargestBlock_px);
       return {size_fault(width, height, limits), width, height,
               padded * (components * kBytesPerCoefficient + kBytesPerTexel)};

@@ -22,13 +22,13 @@ std::string header() { return fmt::format("frame,{}", fmt::join(frame_columns(),
 
 }  // namespace
 
-std::map<int, std::string> read_timings_rows(const std::string& path) {
-  std::map<int, std::string> rows;
+std::optional<TimingsRows> read_timings_rows(const std::string& path) {
+  TimingsRows rows;
   std::error_code unreachable;
-  if (!std::filesystem::is_regular_file(path, unreachable)) return rows;
+  if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
   std::ifstream file(path);
   std::string line;
-  if (!std::getline(file, line) || line != header()) return rows;
+  if (!std::getline(file, line) || line != header()) return std::nullopt;
   const auto cells = std::count(line.begin(), line.end(), ',');
   while (std::getline(file, line)) {
     int frame = 0;
@@ -39,9 +39,15 @@ std::map<int, std::string> read_timings_rows(const std::string& path) {
   return rows;
 }
 
-TimingsCsv::TimingsCsv(const std::string& path)
-    : file_(path == "-" ? OutputFile::standard_output() : OutputFile(path)) {
+TimingsCsv::TimingsCsv(const std::string& path, TimingsRows earlier)
+    : path_(path), file_(path == "-" ? OutputFile::standard_output() : OutputFile(path)), earlier_(std::move(earlier)) {
   file_.write(header() + "\n");
+}
+
+void TimingsCsv::start() {
+  std::error_code unreachable;
+  std::lock_guard lock(file_mutex_);
+  if (path_ != "-" && !std::filesystem::exists(path_, unreachable)) publish();
 }
 
 void TimingsCsv::add(const Frame& frame, int files) {
@@ -49,15 +55,18 @@ void TimingsCsv::add(const Frame& frame, int files) {
     std::lock_guard lock(mutex_);
     rows_[delivered_] = {frame.number, Row{files, 0, frame.timings, frame.stats, {}}};
     order_of_frame_[frame.number] = delivered_++;
+    earlier_.erase(frame.number);
   }
   if (files == 0) write_complete_rows();
 }
 
-void TimingsCsv::add_row(std::string line) {
+void TimingsCsv::add_earlier(int frame) {
   std::lock_guard lock(mutex_);
+  auto found = earlier_.extract(frame);
+  if (found.empty()) return;
   Row row;
-  row.line = std::move(line);
-  rows_[delivered_++] = {0, std::move(row)};
+  row.line = std::move(found.mapped());
+  rows_[delivered_++] = {frame, std::move(row)};
 }
 
 void TimingsCsv::file_written(int frame, double write_ms) {
@@ -79,10 +88,22 @@ void TimingsCsv::write_complete_rows() {
   file_.write(rows);
   const Clock::time_point start = Clock::now();
   if (start < next_checkpoint_) return;
-  file_.checkpoint();
+  publish();
   // Copying takes longer as the file grows, so it is done less often: a million rows are not copied a million times.
   const Clock::time_point end = Clock::now();
   next_checkpoint_ = end + kCheckpointSpacing * (end - start);
+}
+
+/// With what the earlier file has beyond this one.
+void TimingsCsv::publish() {
+  std::string more;
+  {
+    std::lock_guard lock(mutex_);
+    for (const auto& [order, entry] : rows_)
+      if (const Row& row = entry.second; !row.line.empty()) more += row.line + "\n";
+    for (const auto& [frame, line] : earlier_) more += line + "\n";
+  }
+  file_.checkpoint(more);
 }
 
 std::string TimingsCsv::take_complete_rows() {

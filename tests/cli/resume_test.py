@@ -36,8 +36,8 @@ class ResumeTest(CliTestCase):
         with open(self.path(name), encoding="utf-8") as file:
             return json.load(file)
 
-    def rows(self):
-        with open(self.path("out/timings.csv"), encoding="utf-8", newline="") as file:
+    def rows(self, folder="out"):
+        with open(self.path(folder, "timings.csv"), encoding="utf-8", newline="") as file:
             return [int(row["frame"]) for row in csv.DictReader(file)]
 
     def kept_by(self, *arguments, **more):
@@ -61,6 +61,20 @@ class ResumeTest(CliTestCase):
                 if int(name[2:6]) not in missing:
                     self.assertEqual(os.stat(self.path("out", name)).st_mtime_ns, stamp, "written again")
             stamps = {name: os.stat(self.path("out", name)).st_mtime_ns for name in whole}
+
+    def test_a_frame_without_its_row_comes_back(self):
+        self.render()
+        whole = self.files()
+        with open(self.path("out/timings.csv"), encoding="utf-8") as file:
+            lines = file.readlines()
+        for keep, kept in ((lines[:5] + lines[6:], 7), (lines[:1], 0), (lines, 8), (lines[:-1] + ["8,1"], 7)):
+            self.write("out/timings.csv", "".join(keep))
+            self.assertEqual(self.kept_by(), kept)
+            self.assertEqual(self.rows(), list(range(1, 9)))
+            self.assertEqual(self.files(), whole)
+        os.unlink(self.path("out/timings.csv"))
+        self.assertEqual(self.kept_by(), 8, "somebody removed the table: no reason to render all again")
+        self.assertEqual(self.rows(), [])
 
     def test_numbers_of_an_exr_decide_pixels_and_packing_does_not(self):
         self.render(output="out/x.####.exr", frames=2)
@@ -216,6 +230,7 @@ class ResumeTest(CliTestCase):
             self.assertEqual(done.stderr, "")
             resumed += 1
             self.assertEqual(self.files(f"killed{run}"), whole)
+            self.assertEqual(self.rows(f"killed{run}"), list(range(1, FRAMES + 1)))
         self.assertGreater(resumed, 0)
 
 

@@ -120,6 +120,47 @@ TEST_F(TimingsCsvTest, TheFirstRowIsThereAtOnce) {
   EXPECT_EQ(lines().size(), 2u);
 }
 
+// A run that goes on with another's frames may be killed too.
+TEST_F(TimingsCsvTest, EarlierRowsStayUntilTheirFramesCome) {
+  {
+    TimingsCsv csv(path());
+    for (const int frame : {1, 2, 3, 4}) csv.add(numbered(frame), 0);
+    csv.finish();
+  }
+  const std::vector<std::string> before = lines();
+  const auto frames = [&] {
+    std::vector<int> numbers;
+    for (const std::string& line : lines())
+      if (line != before[0]) numbers.push_back(std::stoi(line));
+    return numbers;
+  };
+  TimingsRows rows = *read_timings_rows(path());
+  ASSERT_EQ(rows.size(), 4u);
+  TimingsCsv csv(path(), rows);
+  csv.start();
+  EXPECT_EQ(lines(), before);
+  csv.add_earlier(2);
+  csv.add(numbered(9), 0);
+  EXPECT_EQ(frames(), (std::vector{2, 9, 1, 3, 4}));
+  csv.add(numbered(3), 0);
+  csv.add_earlier(1);
+  csv.add_earlier(7);
+  csv.finish();
+  EXPECT_EQ(frames(), (std::vector{2, 9, 3, 1})) << "4 did not come";
+  EXPECT_EQ(lines()[1], before[2]);
+}
+
+TEST_F(TimingsCsvTest, AFileWithoutRowsTellsThatARunBegan) {
+  EXPECT_FALSE(read_timings_rows(path()));
+  {
+    TimingsCsv csv(path());
+    csv.start();
+  }
+  EXPECT_EQ(lines().size(), 1u);
+  ASSERT_TRUE(read_timings_rows(path()));
+  EXPECT_TRUE(read_timings_rows(path())->empty());
+}
+
 TEST_F(TimingsCsvTest, RowsAreWholeWheneverOneLooks) {
   TimingsCsv csv(path());
   size_t seen = 0, growths = 0;
