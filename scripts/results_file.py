@@ -1,4 +1,13 @@
 """Shared by the scripts that write docs/results."""
+import platform
+
+
+def processor():
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        for line in file:
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    return platform.machine()
 
 
 def text_before_tables(path):

@@ -8,25 +8,16 @@ Rounds are interleaved at random by Google Benchmark; the tables show medians, a
 import argparse
 import json
 import os
-import platform
 import statistics
 import subprocess
 import sys
 from pathlib import Path
 
-from results_file import text_before_tables
+from results_file import processor, text_before_tables
 
 TRIANGLES = 500000
 SETS = ["primary", "shadow_all", "shadow_marked", "reflected_flat", "reflected_curved", "refracted"]
 BACKENDS = ["embree", "embree_packets", "kd_scalar", "kd_simd", "light_buffer"]
-
-
-def processor():
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        for line in file:
-            if line.startswith("model name"):
-                return line.split(":", 1)[1].strip()
-    return platform.machine()
 
 
 def measure(bench, scene, rounds):
