@@ -29,7 +29,7 @@ struct SweepOptions {
   std::optional<int> truth_samples;
   int rounds = 3;
   int settle_s = 0;
-  bool no_charts = false, quiet = false;
+  bool memory = false, no_charts = false, quiet = false;
 };
 
 bool is_given(const RenderOptions& options, const std::string& name) {
@@ -55,6 +55,7 @@ SweepOptions with_preset(SweepOptions options) {
   for (const auto& [name, value] : adds.options)
     if (!is_given(options.render, name)) set_render_option(options.render, name, value);
   if (!options.truth_samples) options.truth_samples = adds.truth_samples;
+  options.memory |= adds.memory;
   return options;
 }
 
@@ -84,6 +85,7 @@ SweepRequest request_of(const SweepOptions& options, const std::vector<std::stri
   request.axes = axes_of(options);
   request.preset = options.preset;
   request.rounds = options.rounds;
+  request.memory = options.memory;
   request.truth.samples = options.truth_samples.value_or(request.truth.samples);
   request.truth.folder = options.truth;
   request.folder = options.folder;
@@ -203,6 +205,10 @@ void add_sweep_command(CLI::App& app, const std::vector<std::string>& command_li
   command->add_option("--settle", options->settle_s, "Wait so long for a quiet machine, else refuse (default: warn)")
       ->type_name("SECONDS")
       ->check(CLI::Range(0, 86400).description(""))
+      ->group(group);
+  command
+      ->add_flag("--memory", options->memory,
+                 "Also measure peaks of memory; scenes then follow one another, and share no rounds")
       ->group(group);
   command->add_flag("--no-charts", options->no_charts, "Write rows and pictures only")->group(group);
   command->add_flag("-q,--quiet", options->quiet, "Only errors and warnings")->group(group);

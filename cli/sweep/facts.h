@@ -14,6 +14,7 @@ struct SweepRequest {
   std::vector<Axis> axes;
   std::string preset;  ///< empty: none
   int rounds = 3;
+  bool memory = false;  ///< peaks of memory are measured, so scenes are not held beside one another
   TruthOptions truth;
   std::filesystem::path folder;
 

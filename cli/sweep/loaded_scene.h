@@ -12,6 +12,7 @@ struct LoadedScene {
   RenderJob job;
   Framing framing;
   double load_ms = 0;
+  uint64_t making_peak_bytes = 0;  ///< of memory while it was loaded and its structures were built; 0: not measured
   std::map<Accel, SceneCaster<float>> casters;  ///< those that were needed
 };
 

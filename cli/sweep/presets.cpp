@@ -30,7 +30,10 @@ PresetOptions preset_options(Preset preset, const std::string& scene, int proces
       if (!scene.starts_with("scene:"))
         throw error(ErrorKind::usage, "--preset growth: {} has one size only; take scene:chess or another made scene",
                     scene);
-      return {{"triangles=10k,100k,1M,10M", "method=hybrid,raytrace"}, {}, 0};
+      return {{"triangles=10k,100k,1M,5M,20M", "method=hybrid,raytrace"}, {}, 0, /*memory=*/true};
+    case Preset::pixels:
+      return {
+          {"size=640x480,1280x960,2560x1440,3840x2160,7680x4320", "method=hybrid,raytrace"}, {}, 0, /*memory=*/true};
     case Preset::stability: break;
   }
   return {};

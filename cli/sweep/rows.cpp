@@ -18,8 +18,8 @@ const std::vector<std::string> kSettings = {
     "scene",       "width_px",         "height_px", "method",   "shadows", "blur_kernel_px", "shadow_map_px",
     "shadow_warp", "reflection_depth", "samples",   "adaptive", "accel",   "threads",        "frames_in_flight",
     "form",        "triangles"};
-const std::vector<std::string> kOneOff = {"first_frame_ms", "first_shadow_map_ms", "ready_ms",
-                                          "load_ms",        "accel_build_ms",      "pixels"};
+const std::vector<std::string> kOneOff = {"first_frame_ms", "first_shadow_map_ms", "ready_ms", "load_ms",
+                                          "accel_build_ms", "peak_memory_mib",     "pixels"};
 const std::vector<std::string> kAccuracy = {"rmse",         "psnr_db",          "max_error",
                                             "ssim",         "pixels_different", "false_lit",
                                             "false_shadow", "other_triangle",   "non_finite"};
@@ -89,6 +89,7 @@ Row one_off_cells(const RowContext& context, const Visit& visit) {
           milliseconds(visit.facts.ready_ms),
           milliseconds(context.load_ms),
           milliseconds(visit.facts.accel_build_ms),
+          context.peak_bytes ? fmt::format("{:.1f}", static_cast<double>(context.peak_bytes) / (1 << 20)) : "",
           fmt::format("{}", samples_taken(settings, int64_t{picture.width_px} * picture.height_px, 0))};
 }
 

@@ -20,6 +20,7 @@ struct RowContext {
   const RenderJob& job;
   double load_ms;
   int threads;
+  uint64_t peak_bytes;  ///< of memory; 0: not measured
 };
 
 /// sweep.csv: one row per setting, round and frame. The file is whole at any moment: it is replaced after each visit.

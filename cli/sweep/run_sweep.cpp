@@ -12,6 +12,7 @@
 #include "cli/sweep/facts_file.h"
 #include "cli/sweep/rows.h"
 #include "cli/sweep/sweep_files.h"
+#include "core/base/memory.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/memory_estimate.h"
 
@@ -52,6 +53,11 @@ class Sweep {
     for (const auto& settings : groups) {
       if (stop_requested()) break;
       if (!is_missing_any(settings)) continue;
+      if (request_.memory) {
+        measure_batch(batch);
+        batch.clear();
+        restart_peak_memory();
+      }
       std::optional<Group> group = load(settings, groups.size() == 1);
       if (!group) continue;
       const uint64_t bytes = bytes_of(group->scene.job);
@@ -123,6 +129,7 @@ class Sweep {
       add_files_read(group.scene.job.scene, read);
       require_sweep_writes_none_of(read, request_);
       tell(warnings);
+      if (request_.memory) group.scene.making_peak_bytes = peak_memory_bytes();
       return group;
     } catch (const Error& problem) {
       if (is_only_scene) throw;
@@ -152,18 +159,22 @@ class Sweep {
   void visit(LoadedScene& scene, const SweepSetting& setting, int round) {
     Warnings warnings;
     ThreadPool& pool = pool_for(setting);
+    const bool fresh = request_.memory && restart_peak_memory();
     set_job(scene, setting, pool, warnings);
+    if (fresh) scene.making_peak_bytes = std::max(scene.making_peak_bytes, peak_memory_bytes());
     tell(warnings);
     require_gl_threads(scene.job);
     std::vector<AccuracyCells> accuracy = rows_.accuracy_of(setting.number);
     if (accuracy.empty()) accuracy = find_accuracy(scene.job, setting, pool);
+    if (fresh) restart_peak_memory();
     const Visit visit = measure(scene.job, pool);
+    const uint64_t peak_bytes = fresh ? std::max(scene.making_peak_bytes, peak_memory_bytes()) : 0;
     if (stop_requested()) return;
     if (visit.facts.gl) {
       facts_.set_gl_renderer(visit.facts.gl->renderer);
       if (visit.facts.gl->software) software_gl_threads_ = pool.size();
     }
-    rows_.add({setting, request_.axes, scene.job, scene.load_ms, pool.size()}, round, visit, accuracy);
+    rows_.add({setting, request_.axes, scene.job, scene.load_ms, pool.size(), peak_bytes}, round, visit, accuracy);
     progress_.frame_done();
   }
 

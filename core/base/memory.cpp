@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
+#include <malloc.h>
+#include <string>
 #include <unistd.h>
 
 namespace hybridrt {
@@ -29,6 +32,19 @@ uint64_t machine_memory() {
 uint64_t allowed_memory() {
   return std::min({machine_memory(), number_in("/sys/fs/cgroup/memory.max"),
                    number_in("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
+}
+
+bool restart_peak_memory() {
+  malloc_trim(0);
+  std::ofstream file("/proc/self/clear_refs");
+  return file && file << 5 << std::flush;  // proc(5): sets VmHWM to what is held now
+}
+
+uint64_t peak_memory_bytes() {
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("VmHWM:")) return std::strtoull(line.c_str() + 6, nullptr, 10) * 1024;
+  return 0;
 }
 
 std::string size_text(uint64_t bytes) {

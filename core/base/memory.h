@@ -17,6 +17,12 @@ size_t bytes_of(const std::vector<T>& values) {
   return values.size() * sizeof(T);
 }
 
+/// Gives freed memory back and starts the count of peak_memory_bytes() anew. False where the kernel does not let us.
+bool restart_peak_memory();
+
+/// The most main memory that this process has held since restart_peak_memory(), or since it began; 0 if not known.
+uint64_t peak_memory_bytes();
+
 /// For people: "12.5 MiB", "3.0 GiB".
 std::string size_text(uint64_t bytes);
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from .chart import Drawn
 from .combinations import varying
 from .error_chart import error_chart
-from .growth_chart import growth_chart
+from .growth_chart import SIZES, growth_chart
 from .look import house_look
 from .pareto_chart import pareto_chart
 from .passes_chart import passes_chart
@@ -24,7 +24,7 @@ def draw(sweep: Sweep, summaries: Sequence[Summary]) -> Drawn:
         for axis in axes:
             drawn.add(passes_chart(sweep, summaries, axis))
             drawn.add(scaling_chart(sweep, summaries, axis) if axis.name == "threads" else None)
-            drawn.add(growth_chart(sweep, summaries, axis) if axis.name == "triangles" else None)
+            drawn.add(growth_chart(sweep, summaries, axis) if axis.name in SIZES else None)
             drawn.add(error_chart(sweep, summaries, axis))
     if not any(summary.accuracy for summary in summaries):
         drawn.missing.append("No accuracy was measured, so time is not set against error.")

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Optional
 
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
@@ -17,13 +18,13 @@ LEGEND_LETTERS = 40
 MOST_LETTERS = 72
 
 
-def lines_over(axis: Axis, axes: Sequence[Axis],
-               summaries: Sequence[Summary]) -> tuple[dict[str, list[Summary]], list[str]]:
-    """The settings along `axis`, sorted, for each combination of the other varied axes that has at least two; by a text
+def lines_over(axis: Axis, axes: Sequence[Axis], summaries: Sequence[Summary],
+               place: Callable[[Axis, Summary], Optional[float]] = position) -> tuple[dict[str, list[Summary]], list[str]]:
+    """The settings along `axis`, sorted by `place`, for each combination of the other varied axes that has at least two; by a text
     for the legend ("" if there is one combination only). And notes on what was left out."""
     others = varying([other for other in axes if other is not axis], summaries)
     groups: dict[Key, list[Summary]] = {
-        key: sorted(group, key=lambda summary: position(axis, summary))
+        key: sorted(group, key=lambda summary: place(axis, summary))
         for key, group in grouped(summaries, others).items() if len(group) > 1}
     kept, notes = first_ones(groups, MOST_LINES, "combinations of the other axes")
     return {heading(others, key, LEGEND_LETTERS): group for key, group in kept.items()}, notes

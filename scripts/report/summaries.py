@@ -39,7 +39,9 @@ class Summary:
     setting: Setting
     wall: Quartiles
     first_frame_ms: Optional[float]
+    load_ms: Optional[float]
     build_ms: Optional[float]
+    peak_mib: Optional[float]
     passes: dict[str, float]
     pass_quartiles: dict[str, Quartiles]
     reflective_percent: Optional[float]
@@ -57,7 +59,9 @@ def _summary(setting: Setting) -> Summary:
         setting=setting,
         wall=quartiles(_known(setting, "wall_ms")),
         first_frame_ms=_median(setting, "first_frame_ms"),
+        load_ms=_median(setting, "load_ms"),
         build_ms=_median(setting, "accel_build_ms"),
+        peak_mib=_median(setting, "peak_memory_mib"),
         passes={name: _median(setting, name) or 0.0 for name in PASSES},
         pass_quartiles={name: quartiles(_known(setting, name) or [0.0]) for name in PASSES},
         reflective_percent=100 * reflective / pixels if pixels else None,

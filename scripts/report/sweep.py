@@ -7,7 +7,7 @@ from typing import Optional
 
 TIMES = ("wall_ms", "first_frame_ms", "load_ms", "accel_build_ms", "shadow_map_ms", "id_ms", "mark_ms", "readback_ms",
          "trace_ms", "upload_ms", "shade_ms", "download_ms")
-COUNTS = ("pixels", "pixels_reflective")
+COUNTS = ("peak_memory_mib", "pixels", "pixels_reflective")
 ACCURACY = ("rmse", "psnr_db", "max_error", "ssim", "pixels_different", "false_lit", "false_shadow", "other_triangle",
             "non_finite")
 

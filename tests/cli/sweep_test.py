@@ -249,6 +249,15 @@ class Failures(SweepTestCase):
         self.assertIn("there is no axis", self.sweep("--over", "triangles=10,20", scene=mesh, expect=2).stderr)
         self.assertIn("one size only", self.sweep("--preset", "growth", scene=mesh, expect=2).stderr)
 
+    def test_peaks_of_memory(self):
+        """Of each setting by itself: the small scene after the large one takes little again."""
+        self.sweep("--over", "triangles=300000,2000", "--rounds", "2", "--memory", scene="scene:spheres")
+        peaks = {row["triangles"]: float(row["peak_memory_mib"]) for row in self.rows() if row["round"] == "2"}
+        large, small = (peaks[count] for count in sorted(peaks, key=int, reverse=True))
+        self.assertGreater(large, small + 40)
+        self.sweep("--over", "shadows=none", "--rounds", "1", folder="without")
+        self.assertEqual({row["peak_memory_mib"] for row in self.rows("without")}, {""})
+
     def test_a_truth_that_lacks_a_frame(self):
         os.mkdir(self.path("mine"))
         done = self.sweep("--over", "shadows=none", "--truth", "mine", "--rounds", "1", expect=1)

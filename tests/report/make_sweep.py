@@ -1,6 +1,6 @@
 """Makes up a sweep that looks like a real one: sweep.csv, sweep.json and small pictures. The same seed, the same files.
 
-    python3 tests/report/make_sweep.py DIR [--preset pareto|paper|scaling|growth|many|long]
+    python3 tests/report/make_sweep.py DIR [--preset pareto|paper|scaling|growth|pixels|many|long]
 """
 from __future__ import annotations
 
@@ -48,6 +48,7 @@ PRESETS = {
     "scaling": Sweep({"threads": ["1", "2", "4", "8", "16"], "method": ["hybrid", "raytrace"], "accel": ["embree", "kdtree"]},
                      accuracy=False),
     "growth": Sweep({"triangles": ["1000", "10000", "100000", "1000000", "10000000"], "shadows": ["map", "exact"]}),
+    "pixels": Sweep({"size": ["1920x1080", "640x480", "7680x4320"], "method": ["hybrid", "raytrace"]}, accuracy=False),
     "many": Sweep({"triangles": ["1000", "100000", "1000000"], "shadows": ["map", "rays", "exact"],
                    "blur-kernel": ["3", "5", "9", "15"], "frames-in-flight": ["1", "2"]}, facts={"busy": 0.23}),
     "long": Sweep({"method": ["hybrid" + 30 * "_and_more", "raytrace with a name of many words " * 4],
@@ -63,7 +64,7 @@ def make_sweep(folder: Path, sweep: Sweep) -> None:
     columns = {name: name.replace("-", "_") for name in sweep.axes}
     combinations = [dict(zip(sweep.axes, values)) for values in itertools.product(*sweep.axes.values())]
     header = list(dict.fromkeys(["setting", "round", "frame", *columns.values(), *AXES, "wall_ms", "first_frame_ms", "load_ms",
-                                 "accel_build_ms", *PASSES, *THREAD_TIMES, *COUNTS, *ACCURACY, "error"]))
+                                 "accel_build_ms", "peak_memory_mib", *PASSES, *THREAD_TIMES, *COUNTS, *ACCURACY, "error"]))
     errors = [_error(values, chance) for values in combinations]
     with open(folder / "sweep.csv", "w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, header, lineterminator="\n", restval="")
@@ -113,7 +114,8 @@ def _times(values: dict[str, str], chance: random.Random) -> dict[str, object]:
     pixels = 1024 * 768
     return {**{name: f"{time:.4f}" for name, time in times.items()}, "wall_ms": f"{wall:.4f}",
             "first_frame_ms": f"{wall * 3 + 20:.4f}", "load_ms": "139.2000",
-            "accel_build_ms": f"{triangles * 2.2e-4 * slow:.4f}", "pixels": pixels, "pixels_hit": int(0.91 * pixels),
+            "accel_build_ms": f"{triangles * 2.2e-4 * slow:.4f}", "peak_memory_mib": f"{20 + 3.4e-4 * triangles:.1f}",
+            "pixels": pixels, "pixels_hit": int(0.91 * pixels),
             "pixels_marked": int(0.04 * pixels), "pixels_reflective": int(share * pixels), "pixels_refractive": 0,
             "shadow_rays": int(rays * 1000), "reflection_rays": int(share * pixels), "refraction_rays": 0,
             **{name: f"{0.98 * threads * traced / 6:.4f}" for name in THREAD_TIMES}}

@@ -23,7 +23,8 @@ class DrawnTest(ReportTestCase):
             "pareto": ["pareto", "passes-method", "passes-shadows", "passes-shadow-map", "error-shadow-map"],
             "paper": ["pareto", "passes-reflection-percent", "error-reflection-percent", "passes-shadows"],
             "scaling": ["passes-threads", "scaling", "passes-method", "passes-accel"],
-            "growth": ["pareto", "passes-triangles", "growth", "error-triangles", "passes-shadows"]}
+            "growth": ["pareto", "passes-triangles", "growth", "error-triangles", "passes-shadows"],
+            "pixels": ["passes-size", "growth-size", "passes-method"]}
         for preset, names in wanted.items():
             with self.subTest(preset):
                 make_sweep(self.folder, PRESETS[preset])
@@ -37,6 +38,14 @@ class DrawnTest(ReportTestCase):
                     self.assertIn("sans-serif", svg)
                     self.assertEqual((self.folder / f"{name}.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
                     self.assertIn(f'href="{name}.svg"', page)
+
+    def test_growth_tells_loading_and_memory(self):
+        for preset, name, labels in (("growth", "growth", ("peak memory, bytes a triangle", "loading and building, ms", "ms a frame")),
+                                     ("pixels", "growth-size", ("peak memory, bytes a pixel", "ms a frame"))):
+            make_sweep(self.folder, PRESETS[preset])
+            self.report()
+            svg = (self.folder / f"{name}.svg").read_text(encoding="utf-8")
+            self.assertEqual([label for label in labels if label not in svg], [])
 
     def test_same_input_same_bytes(self):
         make_sweep(self.folder, PRESETS["pareto"])
