@@ -14,7 +14,8 @@ Visit measure(RenderJob& job, ThreadPool& pool) {
   std::vector<FrameRange> before = {{first.first, first.first, 1}};
   if (count > 1) before.push_back({last_frame, last_frame, 1});
   job.frames.ranges.insert(job.frames.ranges.begin(), before.begin(), before.end());
-  if (job.settings.frames_in_flight > 1) job.frames.ranges.push_back({last_frame, last_frame, 1});
+  job.frames.ranges.insert(job.frames.ranges.end(), static_cast<size_t>(job.settings.frames_in_flight - 1),
+                           {last_frame, last_frame, 1});
   job.settings.aovs = 0;
 
   Visit visit;
