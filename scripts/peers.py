@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Races hybridrt against POV-Ray, Blender's Cycles and F3D: same scenes, cameras, lights, size and threads.
 
-  scripts/peers.py --install                            all of it: an hour on two cores
+  scripts/peers.py --install                            all of it: half an hour on two cores
   scripts/peers.py --estimate-slow 100                  a quarter of an hour
   scripts/peers.py --only hybrid,cycles --scenes chess --frames 1,2 --rounds 1    a look
 

@@ -2,20 +2,15 @@
 
 #include "cli/interrupt.h"
 #include "cli/sweep/loaded_scene.h"
+#include "cli/sweep/visit_frames.h"
 
 namespace hybridrt::cli {
 
 Visit measure(RenderJob& job, ThreadPool& pool) {
   const KeptJob kept{job};
   const auto count = static_cast<size_t>(kept.frames.count());
-  const FrameRange& first = kept.frames.ranges.front();
-  const FrameRange& last = kept.frames.ranges.back();
-  const int last_frame = last.first + (last.last - last.first) / last.step * last.step;
-  std::vector<FrameRange> before = {{first.first, first.first, 1}};
-  if (count > 1) before.push_back({last_frame, last_frame, 1});
-  job.frames.ranges.insert(job.frames.ranges.begin(), before.begin(), before.end());
-  job.frames.ranges.insert(job.frames.ranges.end(), static_cast<size_t>(job.settings.frames_in_flight - 1),
-                           {last_frame, last_frame, 1});
+  const VisitFrames frames = frames_of_visit(kept.frames, job.settings.frames_in_flight);
+  job.frames = frames.frames;
   job.settings.aovs = 0;
 
   Visit visit;
@@ -25,7 +20,7 @@ Visit measure(RenderJob& job, ThreadPool& pool) {
       visit.first_frame_ms = frame.timings.wall_ms;
       visit.first_shadow_map_ms = frame.timings[PassId::shadow_map];
     }
-    if (delivered <= before.size() || visit.frames.size() == count) return;
+    if (delivered <= frames.before || visit.frames.size() == count) return;
     frame.picture = {};
     visit.frames.push_back(std::move(frame));
   };

@@ -12,10 +12,8 @@ struct Visit {
   std::vector<Frame> frames;  ///< without their pictures; fewer than asked for if a signal asked to stop
 };
 
-/// Renders the job's frames for their times. The first one is rendered once before and not counted: it pays for what is
-/// made once. Of several frames the last one follows it, so that the first does not find what is kept while the camera
-/// stands still. Where N frames are in flight, N - 1 more come after them, so that the last one too shares the machine:
-/// those that end a run leave it together. The job's AOVs are left out.
+/// Renders the job's frames for their times, with those around them that frames_of_visit() says. The job's AOVs are
+/// left out.
 Visit measure(RenderJob& job, ThreadPool& pool);
 
 }  // namespace hybridrt::cli

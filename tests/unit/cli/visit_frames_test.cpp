@@ -1,0 +1,37 @@
+#include "cli/sweep/visit_frames.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace hybridrt::cli {
+namespace {
+
+std::vector<int> numbers_of(const FrameSpec& spec) {
+  std::vector<int> numbers;
+  for (const FrameRange& range : spec.ranges)
+    for (int n = range.first; n <= range.last; n += range.step) numbers.push_back(n);
+  return numbers;
+}
+
+TEST(VisitFrames, AFrameComesOnceMoreForWhatIsMadeOnce) {
+  const VisitFrames visit = frames_of_visit(parse_frame_spec("5-5"), 1);
+  EXPECT_EQ(numbers_of(visit.frames), (std::vector{5, 5}));
+  EXPECT_EQ(visit.before, 1u);
+}
+
+TEST(VisitFrames, SeveralFollowTheirLast) {
+  const VisitFrames visit = frames_of_visit(parse_frame_spec("1-9:3,20"), 1);
+  EXPECT_EQ(numbers_of(visit.frames), (std::vector{1, 20, 1, 4, 7, 20}));
+  EXPECT_EQ(visit.before, 2u);
+}
+
+TEST(VisitFrames, TheLastHasAsManyNeighboursAsThereAreFramesInFlight) {
+  for (int in_flight : {1, 2, 4, 16}) {
+    const std::vector<int> numbers = numbers_of(frames_of_visit(parse_frame_spec("1-8:3"), in_flight).frames);
+    ASSERT_EQ(numbers.size(), 2u + 3u + static_cast<size_t>(in_flight - 1));
+    for (size_t i = 5; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], 7) << "of 1, 4 and 7 the last";
+  }
+}
+
+}  // namespace
+}  // namespace hybridrt::cli
