@@ -23,7 +23,7 @@ class Job:
     rival: str
     frames: int
     seconds: list[float] = field(default_factory=list)
-    parse_seconds: list[float] = field(default_factory=list)  # of them, spent on parsing the scene again for each frame
+    frame_seconds: list[float] = field(default_factory=list)  # of each frame of the first round, by the rival's own account
     estimated: bool = False  # from fewer frames
 
     def median_s(self) -> float:
@@ -60,28 +60,28 @@ def visit(jobs: list[Job], scene: RaceScene, rival: Rival, frames: int, plan: Pl
         return
     shorter = [j for j in mine if j.frames < frames and not j.estimated]
     if not job.seconds and len(shorter) >= 2:
-        expected = [straight_on(shorter[-2:], "seconds", frames), straight_on(shorter[-2:], "parse_seconds", frames)]
-        if expected[0] > plan.estimate_above_s:
-            job.seconds, job.parse_seconds, job.estimated = [expected[0]], [expected[1]], True
+        expected = straight_on(shorter[-2], shorter[-1], frames)
+        if expected > plan.estimate_above_s:
+            job.seconds, job.estimated = [expected], True
             return
-    seconds, parse_seconds = run(scene, rival, frames, plan.threads)
+    seconds, log = run(scene, rival, frames, plan.threads)
     job.seconds.append(seconds)
-    job.parse_seconds.append(parse_seconds)
+    if rival.frame_seconds and not job.frame_seconds:
+        job.frame_seconds = rival.frame_seconds(log)
     print(f"{scene.name}, {rival.name}, {frames} frames: {seconds:.2f} s", file=sys.stderr, flush=True)
 
 
-def straight_on(two: list[Job], values: str, frames: int) -> float:
-    """The straight line through two jobs' medians, at `frames`."""
-    (x0, y0), (x1, y1) = ((job.frames, statistics.median(getattr(job, values))) for job in two)
-    return y1 + (frames - x1) * (y1 - y0) / (x1 - x0)
+def straight_on(few: Job, many: Job, frames: int) -> float:
+    """Seconds for `frames` by the straight line through two jobs' medians."""
+    return many.median_s() + (frames - many.frames) * (many.median_s() - few.median_s()) / (many.frames - few.frames)
 
 
-def run(scene: RaceScene, rival: Rival, frames: int, threads: int) -> tuple[float, float]:
-    """Seconds in all and of parsing. Raises PeersError where a rival fails or pictures are missing."""
+def run(scene: RaceScene, rival: Rival, frames: int, threads: int) -> tuple[float, str]:
+    """Seconds, and what the rival said. Raises PeersError where a rival fails or pictures are missing."""
     output = pictures_folder(scene, rival)
     shutil.rmtree(output, ignore_errors=True)
     output.mkdir()
-    log_path = scene.folder / f"{rival.key}.log"
+    log_path = scene.folder / f"{rival.key}.{frames}.log"
     with open(log_path, "w", encoding="utf-8") as log:
         start = time.monotonic()
         for command in rival.commands(scene, frames, threads, output):
@@ -90,8 +90,7 @@ def run(scene: RaceScene, rival: Rival, frames: int, threads: int) -> tuple[floa
         seconds = time.monotonic() - start
     if len(pictures(scene, rival)) != frames:
         raise PeersError(f"{scene.name}: {rival.name} wrote {len(pictures(scene, rival))} of {frames} pictures; see {log_path}")
-    parsed = rival.parse_seconds(log_path.read_text(encoding="utf-8", errors="replace")) if rival.parse_seconds else 0.0
-    return seconds, parsed
+    return seconds, log_path.read_text(encoding="utf-8", errors="replace")
 
 
 def pictures_folder(scene: RaceScene, rival: Rival) -> Path:
@@ -104,11 +103,11 @@ def pictures(scene: RaceScene, rival: Rival) -> list[Path]:
 
 
 def steady_ms(jobs: list[Job]) -> float | None:
-    """A frame more, without what is parsed again for each: by the longest measured job and the next shorter one."""
+    """A frame more: by the longest measured job and the next shorter one, or by the rival's account of its frames."""
     measured = [job for job in jobs if job.seconds and not job.estimated]
+    if measured and measured[-1].frame_seconds:
+        return 1000 * statistics.median(measured[-1].frame_seconds)
     if len(measured) < 2:
         return None
     few, many = measured[-2:]
-    whole, parsing = (statistics.median(many_s) - statistics.median(few_s) for many_s, few_s in
-                      ((many.seconds, few.seconds), (many.parse_seconds, few.parse_seconds)))
-    return 1000 * (whole - parsing) / (many.frames - few.frames)
+    return 1000 * (many.median_s() - few.median_s()) / (many.frames - few.frames)

@@ -21,7 +21,7 @@ class Rival:
     prepare: Callable[[RaceScene], None]  # writes what the runs read, before the clock starts; raises PeersError
     commands: Callable[[RaceScene, int, int, Path], list[list[str]]]  # scene, frames, threads, output folder
     version: list[str]
-    parse_seconds: Callable[[str], float] | None = None  # from the log: what is parsed anew for every frame
+    frame_seconds: Callable[[str], list[float]] | None = None  # from the log, where each frame also pays for parsing
     can_run: Callable[[], str | None] = lambda: None  # why not
 
     def is_installed(self) -> bool:
@@ -38,7 +38,7 @@ def all_rivals(hybridrt: Path) -> list[Rival]:
     mine = [Rival(method, method, hybridrt, None, lambda scene: None, partial(ours.commands, hybridrt, method),
                   [str(hybridrt), "--version"]) for method in ("hybrid", "raytrace")]
     return mine + [
-        Rival("povray", "POV-Ray", "povray", "povray", povray.prepare, povray.commands, ["povray", "--version"], povray.parse_seconds),
+        Rival("povray", "POV-Ray", "povray", "povray", povray.prepare, povray.commands, ["povray", "--version"], povray.frame_seconds),
         Rival("cycles", "Cycles", "blender", "blender", cycles.prepare, cycles.commands, ["blender", "--version"]),
         Rival("f3d", "F3D", "f3d", "f3d", lambda scene: None, f3d.commands, ["f3d", "--version"], can_run=f3d.why_not),
     ]

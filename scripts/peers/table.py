@@ -63,7 +63,8 @@ def target_lines(scenes: Sequence[RaceScene], rivals: Sequence[Rival], jobs: Seq
             mine, base = ([j for j in jobs if (j.scene, j.rival) == (scene.name, key)] for key in (rival.key, "hybrid"))
             if not base:
                 return []
-            cells = [verdict(whole_ratio(mine, base, n), target) for n, target in WHOLE_TARGETS.items()]
+            estimated = {job.frames for job in [*mine, *base] if job.estimated}
+            cells = [("≈ " if n in estimated else "") + verdict(whole_ratio(mine, base, n), target) for n, target in WHOLE_TARGETS.items()]
             ours, theirs = steady_ms(base), steady_ms(mine)
             cells.append(verdict(theirs / ours if theirs and ours and ours > 0 else None, STEADY_TARGET))
             lines += row([f"{rival.name}, {scene.name}", *cells])

@@ -131,9 +131,12 @@ class PeersTest(unittest.TestCase):
         self.assertEqual([round(x, 9) for x in views[25].eye + views[25].forward], [6, 2, 3, -1, 0, 0])
 
     def test_what_a_frame_more_takes(self):
-        jobs = [race.Job("s", "r", 1, [10], [1]), race.Job("s", "r", 12, [32, 99, 31], [12, 12, 12]), race.Job("s", "r", 100, [999], [0], True)]
-        self.assertAlmostEqual(race.steady_ms(jobs), 1000)  # (32 - 10 - 11) s / 11, the estimate left out
-        self.assertAlmostEqual(race.straight_on(jobs[:2], "seconds", 100), 32 + 88 * 2)
+        jobs = [race.Job("s", "r", 1, [10]), race.Job("s", "r", 12, [32, 99, 31]), race.Job("s", "r", 100, [999], estimated=True)]
+        self.assertAlmostEqual(race.steady_ms(jobs), 2000)  # (32 - 10) s / 11, the estimate left out
+        self.assertAlmostEqual(race.straight_on(*jobs[:2], 100), 32 + 88 * 2)
+        log = "  Parse Time:  0 hours 0 minutes 1 seconds (1.402 seconds)\n  Trace Time:  0 hours 0 minutes 0 seconds (0.764 seconds)\n"
+        jobs[1].frame_seconds = povray.frame_seconds(log)
+        self.assertAlmostEqual(race.steady_ms(jobs), 764)
         self.assertEqual(table.whole_cell(jobs[2], race.Job("s", "hybrid", 100, [9])), "≈ 999.00 **[111.0 ×]**")
 
     @unittest.skipUnless(shutil.which("povray"), "POV-Ray is not installed")
