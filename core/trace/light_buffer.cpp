@@ -1,6 +1,7 @@
 #include "core/trace/light_buffer.h"
 
 #include <hwy/highway.h>
+#include <limits>
 
 #include "core/base/check.h"
 #include "core/trace/holes.h"
@@ -11,7 +12,7 @@ namespace hybridrt {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Lanes = hn::FixedTag<float, 4>;
+using Lanes = hn::FixedTag<int16_t, 4>;
 constexpr Lanes kLanes;
 
 class Lookup {
@@ -96,22 +97,32 @@ class Lookup {
 
   bool any_entry(const ShadowQuery& query, const Place& place) const {
     const LightCell* cell = place.cell;
-    const auto x = hn::Set(kLanes, place.x), y = hn::Set(kLanes, place.y);
-    alignas(16) const float lane_3[4] = {0, 0, 0, place.depth};
-    const auto own_depth = hn::Load(kLanes, lane_3);
-    const auto edge_error = hn::Set(kLanes, static_cast<float>(kCellError));
-    const auto in_lane_3 = hn::Not(hn::FirstN(kLanes, 3));
+    const auto x = hn::Set(kLanes, as_fraction(place.x)), y = hn::Set(kLanes, as_fraction(place.y));
+    constexpr int16_t kEdge = LightEntry::kEdgeError, kAny = std::numeric_limits<int16_t>::min();  // lane 3: below
+    alignas(8) static constexpr int16_t kOutside[4] = {-kEdge, -kEdge, -kEdge, kAny},
+                                        kInside[4] = {kEdge, kEdge, kEdge, kAny};
+    const auto outside = hn::Load(kLanes, kOutside), inside = hn::Load(kLanes, kInside);
     for (uint32_t i = cell->first; i < cell[1].first; ++i) {
       const LightEntry& entry = buffer_.entries[i];
       if (place.depth < entry.nearest) return false;
-      const auto error = hn::IfThenElse(in_lane_3, hn::Load(kLanes, &entry.nearest), edge_error);
-      const auto value = hn::Add(hn::Add(hn::Mul(hn::Load(kLanes, entry.a), x), hn::Mul(hn::Load(kLanes, entry.b), y)),
-                                 hn::Add(hn::Load(kLanes, entry.c), own_depth));
-      if (!hn::AllFalse(kLanes, hn::Lt(value, hn::Neg(error)))) continue;  // certainly beside it, or nearer
-      if (entry.triangle == query.triangle) continue;                      // a plane does not shadow itself
-      if (hn::AllTrue(kLanes, hn::Gt(value, error)) || meets(query, entry.triangle)) return true;
+      const auto across = hn::SaturatedAdd(hn::MulFixedPoint15(hn::Load(kLanes, entry.a), x),
+                                           hn::MulFixedPoint15(hn::Load(kLanes, entry.b), y));
+      const auto distance = hn::SaturatedAdd(across, hn::Load(kLanes, entry.c));
+      if (!hn::AllFalse(kLanes, hn::Lt(distance, outside))) continue;  // certainly beside it
+      const float units = entry.units_per_depth();
+      const float below = static_cast<float>(entry.a[3]) * place.x + static_cast<float>(entry.b[3]) * place.y +
+                          static_cast<float>(entry.c[3]) + (place.depth - entry.nearest) * units;
+      const float error = LightEntry::kPlaneError + LightEntry::kDepthError * units;
+      if (below < -error) continue;                    // certainly nearer to the light
+      if (entry.triangle == query.triangle) continue;  // a plane does not shadow itself
+      if ((below > error && hn::AllTrue(kLanes, hn::Gt(distance, inside))) || meets(query, entry.triangle)) return true;
     }
     return false;
+  }
+
+  /// In multiples of 2^-15, for MulFixedPoint15().
+  static int16_t as_fraction(float value) {
+    return static_cast<int16_t>(std::clamp(value, -1.0f, 0x0.FFFEp0f) * 0x1p15f);
   }
 
   /// 1 if the ray leaves a closed body by the triangle, -1 if it enters one, else 0.

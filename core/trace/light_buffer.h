@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -26,17 +27,28 @@ namespace hybridrt {
 // from the light. A lit surface then never finds itself or its neighbours in its way, and needs no bias. The other half
 // is kept separately, for queries that may start inside something.
 
-/// One triangle over one cell, in the cell's own coordinates: x and y in [-1, 1]. Lanes 0-2 of
-/// a x + b y + c are the signed distances to the triangle's edges (positive inside), lane 3 is minus the
-/// depth of its plane. One cache line.
-struct alignas(64) LightEntry {
-  float a[4], b[4], c[4];
-  float nearest;  ///< a lower bound of its depth over the cell; ascends in a cell
+/// One triangle over one cell, in the cell's own coordinates: x and y in [-1, 1]. Lanes 0-2 of a x + b y + c are the
+/// signed distances to the triangle's edges (positive inside), in units of 2^-14; lane 3 is `nearest` minus the depth
+/// of its plane, times units_per_depth(). What is within its error of zero is decided in double precision. Half a cache
+/// line.
+struct alignas(32) LightEntry {
+  int16_t a[4], b[4], c[4];
+  float nearest;  ///< a lower bound of its depth over the cell; its lowest 8 bits hold the exponent of the depth's unit
   uint32_t triangle;
-  float unused;
-  float depth_error;  ///< depths that differ by less must be compared in double precision
+
+  static constexpr float kUnit = 0x1p-14f;
+
+  // Three numbers are each rounded by half a unit. At edges x and y, truncated to 2^-15, and two products add 2.5 units
+  // at most; planes are computed in single precision, which adds a quarter of a unit and, as a depth, 2^-19.
+  static constexpr int kEdgeError = 5;
+  static constexpr float kPlaneError = 2, kDepthError = 0x1p-19f;
+
+  /// A power of two; 0 if only double precision decides.
+  float units_per_depth() const {
+    return std::bit_cast<float>((0xFFu - (std::bit_cast<uint32_t>(nearest) & 0xFFu)) << 23) / kUnit;
+  }
 };
-static_assert(sizeof(LightEntry) == 64);
+static_assert(sizeof(LightEntry) == 32);
 
 struct LightCell {
   uint32_t first;  ///< its first entry; its entries end where the next cell's begin

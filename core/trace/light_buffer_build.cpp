@@ -12,12 +12,11 @@ namespace {
 
 constexpr size_t kTrianglesPerChunk = 4096;
 constexpr int kRowsPerChunk = 4;
-// A triangle over a cell takes 12 bytes while the buffer is built, and up to 64 afterwards. Ordinary scenes have about
+// A triangle over a cell takes 12 bytes while the buffer is built, and up to 32 afterwards. Ordinary scenes have about
 // three such pairs per triangle.
 constexpr uint64_t kMostReferences = 1 << 20, kMostReferencesPerTriangle = 16;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr uint32_t kLastTriangle = (1u << 28) - 1;
-constexpr float kUndecided = std::numeric_limits<float>::max();  // as a depth error: single precision never decides
 
 enum class Facing : uint8_t {
   nothing,  ///< zero area
@@ -285,8 +284,8 @@ class Builder {
       auto reference = references_.begin() + first_[cell];
       for (uint32_t entry = first_entry[cell]; entry < first_entry[cell + 1]; ++entry, ++reference) {
         const GridTriangle triangle = grid_triangle(reference->triangle);
-        buffer_.entries[entry] = CellView(triangle, x, y).entry(reference->triangle);
-        if (scene_.has_holes(reference->triangle)) buffer_.entries[entry].depth_error = kUndecided;
+        buffer_.entries[entry] =
+            CellView(triangle, x, y).entry(reference->triangle, scene_.has_holes(reference->triangle));
       }
       const auto begin = buffer_.others.begin() + first_other[cell];
       auto other = std::copy(others_.begin() + first_other_[cell], others_.begin() + first_other_[cell + 1], begin);

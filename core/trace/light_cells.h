@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -128,30 +129,49 @@ class CellView {
   float nearest() const { return static_cast<float>(lowest_ - kDepthRoom); }
   float farthest() const { return static_cast<float>(highest_ + kDepthRoom); }
 
-  LightEntry entry(uint32_t triangle) const {
-    LightEntry made;
+  /// `holes`: the triangle has some, which only double precision knows.
+  LightEntry entry(uint32_t triangle, bool holes) const {
+    LightEntry made{};
+    made.triangle = triangle;
     for (int edge = 0; edge < 3; ++edge) {
       const double a = triangle_.edges[edge].a, b = triangle_.edges[edge].b;
       const double length = std::sqrt(a * a + b * b);
       const bool always = inside(edge);
-      const double per_length = always || !(length > 0) ? 0 : 1 / length;
-      made.a[edge] = static_cast<float>(a * per_length);
-      made.b[edge] = static_cast<float>(b * per_length);
-      made.c[edge] = always ? 1 : static_cast<float>(distance_[edge] * per_length);
+      const double units = always || !(length > 0) ? 0 : 1 / (length * LightEntry::kUnit);
+      made.a[edge] = rounded(a * units);
+      made.b[edge] = rounded(b * units);
+      made.c[edge] = rounded(always ? 1 / LightEntry::kUnit : distance_[edge] * units);
     }
-    const bool known = triangle_.has_plane && plane_error() < 1;
-    made.a[3] = known ? static_cast<float>(-triangle_.slope_x) : 0;
-    made.b[3] = known ? static_cast<float>(-triangle_.slope_y) : 0;
-    made.c[3] = known ? static_cast<float>(-depth_) : 0;
-    made.nearest = nearest();
-    made.triangle = triangle;
-    made.unused = 0;
-    made.depth_error = known ? static_cast<float>(plane_error()) : std::numeric_limits<float>::max();
+    const double size = std::max(
+        {std::abs(triangle_.slope_x), std::abs(triangle_.slope_y), std::abs(depth_ - nearest()) + kLowByteRoom});
+    int exponent = 0;  // size <= 2^exponent
+    std::frexp(size, &exponent);
+    const bool known = triangle_.has_plane && plane_error() < 1 && exponent <= 20 && !holes;
+    made.nearest = with_low_byte(nearest(), known ? static_cast<uint32_t>(128 + exponent) : 0xFFu);
+    if (!known) return made;
+    const double units = made.units_per_depth();
+    made.a[3] = rounded(-triangle_.slope_x * units);
+    made.b[3] = rounded(-triangle_.slope_y * units);
+    made.c[3] = rounded((made.nearest - depth_) * units);
     return made;
   }
 
  private:
   static constexpr double kDepthRoom = 0x1p-21;
+  static constexpr double kLowByteRoom = 0x1p-13;  // with_low_byte() goes down by less, as depths are at most 1
+
+  /// Of a number of units; all that are kept lie within 2 / kUnit.
+  static int16_t rounded(double units) {
+    return static_cast<int16_t>(std::clamp(std::nearbyint(units), -32767.0, 32767.0));
+  }
+
+  /// The largest float up to `bound` with these lowest 8 bits; somewhat lower around zero.
+  static float with_low_byte(float bound, uint32_t low) {
+    if (std::abs(bound) < 0x1p-40f) bound = -0x1p-40f;
+    const uint32_t bits = (std::bit_cast<uint32_t>(bound) & ~0xFFu) | low;
+    if (std::bit_cast<float>(bits) <= bound) return std::bit_cast<float>(bits);
+    return std::bit_cast<float>(bound > 0 ? bits - 0x100u : bits + 0x100u);
+  }
 
   /// Bounds the error of a depth in the cell: the steeper the plane, the larger.
   double plane_error() const { return kCellError * (1 + change_ + std::abs(depth_)); }

@@ -107,6 +107,17 @@ TEST_P(LightBufferTest, ScaleAndDistanceFromTheOriginDoNotMatter) {
   }
 }
 
+// Half a cache line an entry, and no slack: what --max-memory counts on.
+TEST(LightBuffer, TakesAtMost80BytesPerTriangleOfABall) {
+  ThreadPool pool(2);
+  const Scene ball = closed_sphere(256, 128);
+  const LightBuffer buffer = build_light_buffer(ball, make_sheets(ball, build_topology(ball, pool), pool),
+                                                glm::normalize(dvec3(1, 2, 3)), pool);
+  EXPECT_EQ(buffer.entries.capacity(), buffer.entries.size());
+  EXPECT_EQ(buffer.others.capacity(), buffer.others.size());
+  EXPECT_LE(memory_bytes(buffer), 80 * ball.triangle_count());
+}
+
 TEST_P(LightBufferTest, IsTheSameForAnyThreads) {
   const Scene& scene = GetParam().scene;
   const dvec3 toward = glm::normalize(dvec3(1, 2, 3));

@@ -32,6 +32,7 @@ void for_points_of(const dvec3 (&corners)[3], Numbers& random, int points, const
   }
 }
 
+/// In units.
 float lane(const LightEntry& entry, int lane, const dvec2& at) {
   return entry.a[lane] * static_cast<float>(at.x) + entry.b[lane] * static_cast<float>(at.y) + entry.c[lane];
 }
@@ -54,10 +55,12 @@ TEST(LightCells, BoundTheDepthsOfTinySteepTriangles) {
     const GridTriangle triangle(corners[0], corners[1], corners[2]);
     for_points_of(corners, random, 6, [&](const dvec3& p, const dvec2& at, int i, int j) {
       const CellView view(triangle, i, j);
-      const LightEntry entry = view.entry(0);
+      const LightEntry entry = view.entry(0, /*holes=*/false);
       ++points;
       outside += p.z < view.nearest() || p.z > view.farthest();
-      misjudged += std::abs(lane(entry, 3, at) + static_cast<float>(p.z)) > entry.depth_error;
+      const float units = entry.units_per_depth(), below = (static_cast<float>(p.z) - entry.nearest) * units;
+      outside += entry.nearest > view.nearest();
+      misjudged += std::abs(lane(entry, 3, at) + below) > LightEntry::kPlaneError + LightEntry::kDepthError * units;
     });
   }
   EXPECT_GT(points, 300000);
@@ -79,10 +82,10 @@ TEST(LightCells, ListSliversWhereverTheyGo) {
     std::set<std::pair<int, int>> listed;
     for_each_cell(triangle, kCells, kCells, [&](int i, int j) { listed.insert({i, j}); });
     for_points_of(corners, random, 20, [&](const dvec3&, const dvec2& at, int i, int j) {
-      const LightEntry entry = CellView(triangle, i, j).entry(0);
+      const LightEntry entry = CellView(triangle, i, j).entry(0, /*holes=*/false);
       ++points;
       unlisted += !listed.contains({i, j});
-      for (int edge = 0; edge < 3; ++edge) beside += lane(entry, edge, at) < -kCellError;
+      for (int edge = 0; edge < 3; ++edge) beside += lane(entry, edge, at) < -LightEntry::kEdgeError;
     });
     ASSERT_LT(listed.size(), 5u * kCells) << "only those along it";
   }
