@@ -219,6 +219,7 @@ Scene assemble_scene(std::vector<LoadedMesh> meshes, ThreadPool& pool, Warnings&
     scene.files.insert(scene.files.end(), mesh.library_files.begin(), mesh.library_files.end());
   }
   scene.origin_world = choose_scene_origin(box);
+  scene.positions.reserve(positions + 1);  // Embree can borrow positions that are not the end of their memory
   scene.positions.resize(positions);
   Textures textures;
   const bool keep_texcoords = needs_texcoords(meshes, watch);

@@ -46,7 +46,7 @@ ClosestPoints::ClosestPoints(const Scene& scene, int threads) : tree_(std::make_
   rtcSetSceneFlags(tree_->tree.get(), RTC_SCENE_FLAG_ROBUST);
   if (scene.triangle_count() > 0) {
     const EmbreeHandle<RTCGeometry> geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-    fill_embree_triangles(device, geometry.get(), scene.positions, scene.triangle_positions);
+    lend_triangles(device, geometry.get(), scene.positions, scene.triangle_positions);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(tree_->tree.get(), geometry.get());
   }

@@ -113,18 +113,18 @@ class EmbreeCaster final : public RayCaster<float> {
   }
 
   void attach_triangles(const Scene& scene) {
-    std::vector<uvec3> kept;
-    HiddenTriangles hidden(coincident_);
-    for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
-      if (hidden.holds(i)) continue;
-      if (is_degenerate(scene.vertex(i, 0), scene.vertex(i, 1), scene.vertex(i, 2))) continue;
-      kept.push_back(scene.triangle_positions[i]);
-      triangle_of_primitive_.push_back(i);
+    size_t left_out = 0;
+    for_each_triangle(scene, [&](uint32_t, bool is_kept) { left_out += !is_kept; });
+    const size_t count = scene.triangle_count() - left_out;
+    if (count == 0) return;
+    if (left_out > 0) {
+      kept_.reserve(count), triangle_of_primitive_.reserve(count);
+      for_each_triangle(scene, [&](uint32_t i, bool is_kept) {
+        if (is_kept) kept_.push_back(scene.triangle_positions[i]), triangle_of_primitive_.push_back(i);
+      });
     }
-    if (kept.empty()) return;
-
     const EmbreeHandle<RTCGeometry> geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-    fill_embree_triangles(device_.get(), geometry.get(), scene.positions, kept);
+    lend_triangles(device_.get(), geometry.get(), scene.positions, left_out > 0 ? kept_ : scene.triangle_positions);
     if (holes_) {
       rtcSetGeometryUserData(geometry.get(), this);
       rtcSetGeometryIntersectFilterFunction(geometry.get(), pass_holes);
@@ -133,7 +133,14 @@ class EmbreeCaster final : public RayCaster<float> {
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(scene_.get(), geometry.get());
     throw_on_embree_error(device_.get(), "taking the triangles");
-    if (kept.size() == scene.triangle_count()) triangle_of_primitive_ = {};
+  }
+
+  /// Calls body(triangle, is_kept) for each of the scene's, in order.
+  template <typename Body>
+  void for_each_triangle(const Scene& scene, const Body& body) const {
+    HiddenTriangles hidden(coincident_);
+    for (uint32_t i = 0; i < scene.triangle_count(); ++i)
+      body(i, !hidden.holds(i) && !is_degenerate(scene.vertex(i, 0), scene.vertex(i, 1), scene.vertex(i, 2)));
   }
 
   /// Embree's filter function: rejects hits in holes.
@@ -173,6 +180,7 @@ class EmbreeCaster final : public RayCaster<float> {
 
   const EmbreeRays going_;
   CoincidentTriangles coincident_;
+  std::vector<uvec3> kept_;  ///< Embree's triangles; empty: all of the scene's
   EmbreeHandle<RTCDevice> device_;
   EmbreeHandle<RTCScene> scene_;
   std::vector<uint32_t> triangle_of_primitive_;  ///< empty: the same numbers

@@ -15,17 +15,20 @@ void throw_on_embree_error(RTCDevice device, const char* doing) {
               static_cast<int>(code));
 }
 
-void fill_embree_triangles(RTCDevice device, RTCGeometry geometry, std::span<const vec3> positions,
-                           std::span<const uvec3> triangles) {
-  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-  // Embree reads 16 bytes per vertex: its own buffers are padded for that, ours are not.
-  auto* const vertices = static_cast<vec3*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), positions.size()));
-  auto* const indices = static_cast<uvec3*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), triangles.size()));
+void lend_triangles(RTCDevice device, RTCGeometry geometry, const std::vector<vec3>& positions,
+                    const std::vector<uvec3>& triangles) {
+  if (positions.capacity() > positions.size()) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
+                               sizeof(vec3), positions.size());
+  } else {
+    void* const own =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3), positions.size());
+    throw_on_embree_error(device, "taking the triangles");
+    std::copy(positions.begin(), positions.end(), static_cast<vec3*>(own));
+  }
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(), 0, sizeof(uvec3),
+                             triangles.size());
   throw_on_embree_error(device, "taking the triangles");
-  std::copy(positions.begin(), positions.end(), vertices);
-  std::copy(triangles.begin(), triangles.end(), indices);
 }
 
 }  // namespace hybridrt

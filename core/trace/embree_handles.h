@@ -4,8 +4,8 @@
 
 #include <embree3/rtcore.h>
 #include <memory>
-#include <span>
 #include <type_traits>
+#include <vector>
 
 #include "core/base/math.h"
 
@@ -23,8 +23,9 @@ using EmbreeHandle = std::unique_ptr<std::remove_pointer_t<Handle>, ReleaseEmbre
 /// std::bad_alloc.
 void throw_on_embree_error(RTCDevice device, const char* doing);
 
-/// Copies a mesh into the geometry's own buffers. Throws as above.
-void fill_embree_triangles(RTCDevice device, RTCGeometry geometry, std::span<const vec3> positions,
-                           std::span<const uvec3> triangles);
+/// Lends a mesh to the geometry, which must not outlive it. Embree reads 16 bytes of a position: they are copied where
+/// the vector's memory ends with the last one (its capacity is its size). Throws as above.
+void lend_triangles(RTCDevice device, RTCGeometry geometry, const std::vector<vec3>& positions,
+                    const std::vector<uvec3>& triangles);
 
 }  // namespace hybridrt

@@ -86,8 +86,22 @@ TEST_P(Agreement, KdTreeWithTheTruth) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Agreement, testing::ValuesIn(all_test_scenes()), test_name);
 
+// Its last position ends a page: reading 16 bytes of it would leave the vector.
+TEST(EmbreeCaster, PositionsThatEndTheirMemoryAreCopied) {
+  Scene tight = closed_box();
+  tight.positions.shrink_to_fit();
+  Scene roomy = tight;
+  roomy.positions.reserve(tight.positions.size() + 1);
+  const std::vector<Ray<float>> rays = assorted_rays(tight, 5, 1000);
+  std::vector<Hit<float>> copied(rays.size()), lent(rays.size());
+  make_embree_caster(tight, 1)->closest_hits(rays, copied);
+  make_embree_caster(roomy, 1)->closest_hits(rays, lent);
+  for (size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(lent[i].t, copied[i].t) << i;
+}
+
 TEST(EmbreeCaster, RangeIsOpen) {
-  const auto caster = make_embree_caster(closed_box(), 1);
+  const Scene box = closed_box();
+  const auto caster = make_embree_caster(box, 1);
   const std::vector<Ray<float>> rays = {{vec3(0.5f, 0.4f, -1), vec3(0, 0, 1), 0, 1},
                                         {vec3(0.5f, 0.4f, -1), vec3(0, 0, 1), 0, 1.0001f},
                                         {vec3(0.5f, 0.4f, -1), vec3(0, 0, 1), 1},
