@@ -27,8 +27,8 @@ ExitCode inspect(RenderOptions command_line, bool as_json) {
   found.plan = make_frame_plan(job.scene, job.facts, frame_request(job, first), job.settings);
   const bool moves = lights_move(job.lights, job.motion);
   found.steps = explain_plan(found.plan, job.facts, job.settings, moves);
-  found.memory = estimate_memory(job.scene, job.facts, job.topology, job.settings, job.lights.lights.size(), moves,
-                                 pool.size(), job.frames.count());
+  found.memory = estimate_memory(job.scene, job.facts, job.topology, job.sheets, job.settings, job.lights.lights.size(),
+                                 moves, pool.size(), job.frames.count());
 
   using Handler = nlohmann::ordered_json::error_handler_t;
   fmt::print("{}",

@@ -94,7 +94,7 @@ std::optional<RenderJob> lean_job(const RenderJob& job, const SimplifyOptions& o
                                   SimplifyReport& report) {
   const std::vector<float> bounds = bounds_on_path(job, report.max_error_px, pool);
   if (stop_requested()) return std::nullopt;
-  Simplified lean = simplify(job.scene, job.topology, bounds, pool, stop_requested);
+  Simplified lean = simplify(job.scene, build_topology(job.scene, pool), bounds, pool, stop_requested);
   if (stop_requested()) return std::nullopt;
   const auto [least, largest] = std::minmax_element(bounds.begin(), bounds.end());
   report.least_bound = *least, report.largest_bound = *largest;

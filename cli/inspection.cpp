@@ -111,7 +111,7 @@ json inspection_json(const Inspection& in) {
       {"warnings", in.warnings},
       {"components", components_json(t)},
       {"edges",
-       {{"count", t.edges.size()},
+       {{"count", t.edge_count},
         {"boundary", t.boundary_edges},
         {"inconsistent", t.inconsistent_edges},
         {"non_manifold", t.non_manifold_edges}}},

@@ -93,9 +93,8 @@ std::string topology_text(const Topology& t) {
     out += fmt::format("  {:>12} triangles  {}\n", grouped(t.components[i].triangles), state_of(t.components[i]));
   if (t.components.size() > kMostComponents)
     out += fmt::format("  {:>12} more, smaller or equal\n", grouped(t.components.size() - kMostComponents));
-  out +=
-      fmt::format("edges         {}: {} boundary, {} inconsistently wound, {} non-manifold\n", grouped(t.edges.size()),
-                  grouped(t.boundary_edges), grouped(t.inconsistent_edges), grouped(t.non_manifold_edges));
+  out += fmt::format("edges         {}: {} boundary, {} inconsistently wound, {} non-manifold\n", grouped(t.edge_count),
+                     grouped(t.boundary_edges), grouped(t.inconsistent_edges), grouped(t.non_manifold_edges));
   return out;
 }
 

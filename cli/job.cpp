@@ -24,8 +24,9 @@ FrameRange make_sequence(const RenderOptions& o, const FrameSpec& frames) {
 /// Throws unless there is memory for the scene and all that a run adds to it before the first frame.
 void require_room_for_run(const RenderJob& job, const SceneSource& source, size_t light_count, int threads,
                           uint64_t sheet_bytes) {
-  const MemoryEstimate estimate = estimate_memory(job.scene, job.facts, job.topology, job.settings, light_count,
-                                                  /*light_moves=*/true, threads, job.frames.count());
+  const MemoryEstimate estimate =
+      estimate_memory(job.scene, job.facts, job.topology, job.sheets, job.settings, light_count,
+                      /*light_moves=*/true, threads, job.frames.count());
   require_room_for_scene(source.argument, estimate.total() + sheet_bytes, job.most_bytes);
 }
 

@@ -91,8 +91,8 @@ class Sweep {
   }
 
   uint64_t bytes_of(const RenderJob& job) const {
-    return estimate_memory(job.scene, job.facts, job.topology, job.settings, 1, /*light_moves=*/true, pool_->size(),
-                           job.frames.count())
+    return estimate_memory(job.scene, job.facts, job.topology, job.sheets, job.settings, 1, /*light_moves=*/true,
+                           pool_->size(), job.frames.count())
         .total();
   }
 

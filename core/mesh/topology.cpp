@@ -166,6 +166,12 @@ Topology build_topology(const Scene& scene, ThreadPool& pool) {
   return topology;
 }
 
+void drop_edges(Topology& topology) {
+  topology.edges = {};
+  topology.first_use = {};
+  topology.uses = {};
+}
+
 size_t memory_bytes(const Topology& t) {
   return bytes_of(t.component_of_triangle) + bytes_of(t.components) + bytes_of(t.edges) + bytes_of(t.first_use) +
          bytes_of(t.uses);

@@ -63,6 +63,7 @@ struct Topology {
   std::vector<uint32_t> first_use;  ///< edge e is used by uses[first_use[e] .. first_use[e + 1])
   std::vector<EdgeUse> uses;        ///< sorted by triangle at each edge; none of degenerate triangles
 
+  size_t edge_count = 0;  ///< also known when the edges are freed
   size_t boundary_edges = 0, inconsistent_edges = 0, non_manifold_edges = 0;
 
   std::span<const EdgeUse> uses_of(size_t edge) const {
@@ -79,6 +80,9 @@ struct Topology {
 /// The result does not depend on the number of threads. Throws CheckFailed beyond 2^31 positions or 2^30
 /// triangles, std::bad_alloc.
 Topology build_topology(const Scene& scene, ThreadPool& pool);
+
+/// Frees the edges (30 bytes per triangle of a closed mesh), where only components and counts are asked for any more.
+void drop_edges(Topology& topology);
 
 /// Bytes of a finished topology.
 size_t memory_bytes(const Topology& topology);

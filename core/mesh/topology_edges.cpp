@@ -88,6 +88,7 @@ void build_edges(std::span<const uvec3> triangles, size_t vertices, ThreadPool& 
   uint32_t edges = 0;
   for (uint32_t count : sorted.edges_of_chunk) first_edge.push_back(edges), edges += count;
   topology.edges.resize(edges);
+  topology.edge_count = edges;
   topology.first_use.resize(edges + size_t{1});
   topology.first_use[edges] = static_cast<uint32_t>(sorted.sides.size());
   topology.uses.resize(sorted.sides.size());

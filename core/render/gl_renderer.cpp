@@ -33,7 +33,7 @@ void mark_repaired(FrameSlot& slot) {
 }  // namespace
 
 GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene,
-                       const SceneFacts& facts, const Topology& topology, const RenderSettings& s, size_t light_count,
+                       const SceneFacts& facts, const Sheets& sheets, const RenderSettings& s, size_t light_count,
                        const RayCaster<float>* caster, ThreadPool& pool)
     : gl_(require_size(context, s).functions()),
       scene_(scene),
@@ -53,7 +53,7 @@ GlRenderer::GlRenderer(const gl::Context& context, const gl::ShaderSources& shad
       picture_(gl_, GL_RGBA32F, part_.width_px, part_.height_px, "picture"),
       picture_readback_(gl_, sizeof(vec4) * static_cast<size_t>(part_.width_px) * part_.height_px,
                         "downloading the picture"),
-      light_buffers_(scene, topology, pool) {
+      light_buffers_(scene, sheets, pool) {
   if (repairs_ids(s)) clusters_ = make_clusters(scene, pool);
   HRT_CHECK(light_count <= HRT_MAX_LIGHTS);
   if (uses_shadow_map(s)) {

@@ -26,8 +26,8 @@ class GlRenderer {
   /// Every frame must have `light_count` lights. `caster` may be null if !needs_caster(). All arguments must
   /// outlive the renderer. Throws Error(device) when a size is over the device's limits.
   GlRenderer(const gl::Context& context, const gl::ShaderSources& shaders, const Scene& scene, const SceneFacts& facts,
-             const Topology& topology, const RenderSettings& settings, size_t light_count,
-             const RayCaster<float>* caster, ThreadPool& pool);
+             const Sheets& sheets, const RenderSettings& settings, size_t light_count, const RayCaster<float>* caster,
+             ThreadPool& pool);
   ~GlRenderer();
 
   void render(const NextFrame& next, const DeliverFrame& deliver);

@@ -12,8 +12,8 @@ namespace hybridrt {
 class KeptLightBuffers {
  public:
   /// All three must outlive it.
-  KeptLightBuffers(const Scene& scene, const Topology& topology, ThreadPool& pool)
-      : scene_(scene), topology_(topology), pool_(pool) {}
+  KeptLightBuffers(const Scene& scene, const Sheets& sheets, ThreadPool& pool)
+      : scene_(scene), sheets_(sheets), pool_(pool) {}
   KeptLightBuffers(const KeptLightBuffers&) = delete;
   KeptLightBuffers& operator=(const KeptLightBuffers&) = delete;
 
@@ -34,17 +34,15 @@ class KeptLightBuffers {
     std::optional<LightBuffer>& buffer = buffers_[light];
     if (buffer && buffer->toward == toward) return *buffer;
     const Stopwatch building;
-    if (!sheets_) sheets_ = make_sheets(scene_, topology_, pool_);
     buffer.reset();  // frees the memory for its successor
-    buffer = build_light_buffer(scene_, *sheets_, toward, pool_);
+    buffer = build_light_buffer(scene_, sheets_, toward, pool_);
     build_ms += building.elapsed_ms();
     return *buffer;
   }
 
   const Scene& scene_;
-  const Topology& topology_;
+  const Sheets& sheets_;
   ThreadPool& pool_;
-  std::optional<Sheets> sheets_;
   std::vector<std::optional<LightBuffer>> buffers_;  ///< by light
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 class MappedRenderer {
  public:
-  MappedRenderer(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
+  MappedRenderer(const Scene& scene, const SceneFacts& facts, const Sheets& sheets, const RenderSettings& settings,
                  const RayCaster<float>* caster, ThreadPool& pool)
       : scene_(scene),
         facts_(facts),
@@ -24,7 +24,7 @@ class MappedRenderer {
         pool_(pool),
         clusters_(make_clusters(scene, pool)),
         shadow_maps_(scene, clusters_, settings, pool),
-        light_buffers_(scene, topology, pool) {}
+        light_buffers_(scene, sheets, pool) {}
 
   Frame render(const FrameRequest& request) {
     const FramePlan plan = make_frame_plan(scene_, facts_, request, settings_);
@@ -115,10 +115,10 @@ class MappedRenderer {
 
 }  // namespace
 
-void render_mapped(const Scene& scene, const SceneFacts& facts, const Topology& topology,
-                   const RenderSettings& settings, const RayCaster<float>* caster, ThreadPool& pool,
-                   const NextFrame& next, const DeliverFrame& deliver) {
-  MappedRenderer renderer(scene, facts, topology, settings, caster, pool);
+void render_mapped(const Scene& scene, const SceneFacts& facts, const Sheets& sheets, const RenderSettings& settings,
+                   const RayCaster<float>* caster, ThreadPool& pool, const NextFrame& next,
+                   const DeliverFrame& deliver) {
+  MappedRenderer renderer(scene, facts, sheets, settings, caster, pool);
   render_each(next, deliver, [&](const FrameRequest& request) { return renderer.render(request); });
 }
 

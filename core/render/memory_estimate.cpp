@@ -13,10 +13,11 @@
 namespace hybridrt {
 namespace {
 
-// Measured on balls, a cathedral, a car and a scan, of 75,000 to a million triangles: 77 to 115 and 58 to 62.
+// Measured on balls, chess and grass, of 500,000 to five million triangles (tests/bench/memory_bench): 73 to 82 and 60
+// to 62.
 constexpr size_t kEmbreeBytesPerTriangle = 90, kKdTreeBytesPerTriangle = 62;
-constexpr size_t kClusterBytesPerTriangle = 26;       // of the CPU's rasteriser; measured: 20 to 25
-constexpr size_t kLightBufferBytesPerTriangle = 145;  // measured: 85 to 130, plus 13 for the sheets
+constexpr size_t kClusterBytesPerTriangle = 34;       // of the CPU's rasteriser; measured: 22 to 32
+constexpr size_t kLightBufferBytesPerTriangle = 155;  // measured: 67 (balls) to 152 (grass)
 constexpr size_t kMapBytesPerTriangle = 40;           // drawing shadow maps on the CPU: tiles' lists
 
 size_t geometry_bytes(const Scene& scene) {
@@ -97,10 +98,10 @@ MemoryEstimate estimate_frame_memory(const RenderSettings& s, size_t light_count
 }
 
 MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const Topology& topology,
-                               const RenderSettings& s, size_t light_count, bool light_moves, int threads,
-                               int64_t frame_count) {
+                               const Sheets& sheets, const RenderSettings& s, size_t light_count, bool light_moves,
+                               int threads, int64_t frame_count) {
   MemoryEstimate estimate = estimate_frame_memory(s, light_count, threads, frame_count);
-  estimate.topology = memory_bytes(topology);
+  estimate.topology = memory_bytes(topology) + memory_bytes(sheets);
   estimate.scene = geometry_bytes(scene) + bytes_of(scene.materials);
   if (uses_gl(s))
     estimate.gpu_scene = geometry_bytes(scene) + scene.materials.size() * HRT_MATERIAL_TEXELS * sizeof(vec4);

@@ -5,13 +5,14 @@
 
 #include "core/mesh/topology.h"
 #include "core/render/frame_plan.h"
+#include "core/trace/sheets.h"
 
 namespace hybridrt {
 
 /// Bytes that a run will hold, estimated before it starts. Drivers add their own.
 struct MemoryEstimate {
   size_t scene = 0;        ///< the arrays of Scene
-  size_t topology = 0;     ///< how its triangles are connected
+  size_t topology = 0;     ///< how its triangles are connected: components and sheets
   size_t gpu_scene = 0;    ///< the scene's copy for the GPU; 0 for methods without GL
   size_t gpu_frames = 0;   ///< textures and readback buffers of all frames in flight, and the shadow maps
   size_t frames = 0;       ///< what the CPU keeps of them
@@ -31,8 +32,8 @@ MemoryEstimate estimate_frame_memory(const RenderSettings& settings, size_t ligh
                                      int64_t frame_count);
 
 MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, const Topology& topology,
-                               const RenderSettings& settings, size_t light_count, bool light_moves, int threads,
-                               int64_t frame_count);
+                               const Sheets& sheets, const RenderSettings& settings, size_t light_count,
+                               bool light_moves, int threads, int64_t frame_count);
 
 /// Throws Error (usage), saying what to do, if the frames and a contact sheet of `sheet_bytes` need more than
 /// `most_bytes`. GPU memory counts too: a

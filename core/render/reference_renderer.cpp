@@ -49,9 +49,9 @@ void take_edge_samples(const FramePlan& plan, const TraceJob& job, const RenderS
 
 }  // namespace
 
-void render_reference(const Scene& scene, const SceneFacts& facts, const Topology& topology,
-                      const RenderSettings& settings, const RayCaster<double>& caster, ThreadPool& pool,
-                      const NextFrame& next, const DeliverFrame& deliver) {
+void render_reference(const Scene& scene, const SceneFacts& facts, const Sheets& sheets, const RenderSettings& settings,
+                      const RayCaster<double>& caster, ThreadPool& pool, const NextFrame& next,
+                      const DeliverFrame& deliver) {
   const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
   const size_t pixels = static_cast<size_t>(part.width_px) * part.height_px;
   std::vector<vec4> picture(pixels);
@@ -59,7 +59,7 @@ void render_reference(const Scene& scene, const SceneFacts& facts, const Topolog
   std::vector<uint8_t> lit;
   EdgeMemory edges;
 
-  KeptLightBuffers light_buffers(scene, topology, pool);
+  KeptLightBuffers light_buffers(scene, sheets, pool);
   render_each(next, deliver, [&](const FrameRequest& request) {
     const FramePlan plan = make_frame_plan(scene, facts, request, settings);
     TraceJob job = make_trace_job(scene, plan, settings);

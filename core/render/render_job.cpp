@@ -19,6 +19,8 @@ void set_scene(RenderJob& job, Scene scene, ThreadPool& pool, Warnings& warnings
   job.topology = build_topology(job.scene, pool);
   turn_inside_out_bodies(job.scene, job.topology, pool, warnings);
   if (reflection_percent) set_reflective_share(job.scene, job.topology, *reflection_percent);
+  job.sheets = make_sheets(job.scene, job.topology, pool);
+  drop_edges(job.topology);
   job.facts = make_scene_facts(job.scene);
 }
 
@@ -67,24 +69,24 @@ RunFacts run(const RenderJob& job, ThreadPool& pool, const std::function<void(co
     const SceneCaster<double> reference = make_reference_scene_caster(job.scene, pool);
     remember(reference, "kdtree (double)");
     ready();
-    render_reference(job.scene, job.facts, job.topology, job.settings, *reference.caster, pool, next, deliver);
+    render_reference(job.scene, job.facts, job.sheets, job.settings, *reference.caster, pool, next, deliver);
   } else if (job.settings.method == Method::raytrace) {
     const RayCaster<float>& rays = caster();
     ready();
-    render_tiles(job.scene, job.facts, job.topology, job.settings, &rays, pool, next, deliver);
+    render_tiles(job.scene, job.facts, job.sheets, job.settings, &rays, pool, next, deliver);
   } else if (job.settings.forms == PassForms::cpu) {
     const bool rays_needed = needs_caster(job.facts, job.settings, lights_move(job.lights, job.motion));
     const RayCaster<float>* const rays = rays_needed ? &caster() : nullptr;
     ready();
     const auto& render = uses_shadow_map(job.settings) ? render_mapped : render_tiles;
-    render(job.scene, job.facts, job.topology, job.settings, rays, pool, next, deliver);
+    render(job.scene, job.facts, job.sheets, job.settings, rays, pool, next, deliver);
   } else {
     require_threads(pool.size() + 1);  // a software GL waits forever for those of its own that do not start
     const std::unique_ptr<gl::Context> context = gl::open_context(job.gl);
     facts.gl = context->info();
     const bool rays_needed = needs_caster(job.facts, job.settings, lights_move(job.lights, job.motion));
-    GlRenderer renderer(*context, job.shaders, job.scene, job.facts, job.topology, job.settings,
-                        job.lights.lights.size(), rays_needed ? &caster() : nullptr, pool);
+    GlRenderer renderer(*context, job.shaders, job.scene, job.facts, job.sheets, job.settings, job.lights.lights.size(),
+                        rays_needed ? &caster() : nullptr, pool);
     ready();
     renderer.render(next, deliver);
   }

@@ -19,7 +19,8 @@ namespace hybridrt {
 struct RenderJob {
   Scene scene;
   SceneFacts facts;   ///< derived from `scene`
-  Topology topology;  ///< derived from `scene`
+  Topology topology;  ///< derived from `scene`; without edges
+  Sheets sheets;      ///< derived from `scene`
   RenderSettings settings;
   FrameSpec frames;
   CameraMotion motion;

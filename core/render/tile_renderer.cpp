@@ -48,7 +48,7 @@ Tile part_of_picture(const View& view, size_t part) {
 
 class TileRenderer {
  public:
-  TileRenderer(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
+  TileRenderer(const Scene& scene, const SceneFacts& facts, const Sheets& sheets, const RenderSettings& settings,
                const RayCaster<float>* caster, ThreadPool& pool)
       : scene_(scene),
         facts_(facts),
@@ -56,7 +56,7 @@ class TileRenderer {
         caster_(caster),
         pool_(pool),
         by_rays_(settings.method == Method::raytrace),
-        light_buffers_(scene, topology, pool) {
+        light_buffers_(scene, sheets, pool) {
     if (!by_rays_) clusters_ = make_clusters(scene, pool);
     if (!by_rays_) memory_.raster.tiles.resize(pool.size());
   }
@@ -118,13 +118,13 @@ class TileRenderer {
 
 }  // namespace
 
-void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
+void render_tiles(const Scene& scene, const SceneFacts& facts, const Sheets& sheets, const RenderSettings& settings,
                   const RayCaster<float>* caster, ThreadPool& pool, const NextFrame& next,
                   const DeliverFrame& deliver) {
   HRT_CHECK(!uses_shadow_map(settings));
   const PixelRect part = rendered_rect(settings), kept = kept_of_rendered(settings);
   HRT_CHECK(part.width_px == kept.width_px && part.height_px == kept.height_px);
-  TileRenderer renderer(scene, facts, topology, settings, caster, pool);
+  TileRenderer renderer(scene, facts, sheets, settings, caster, pool);
   render_each(next, deliver, [&](const FrameRequest& request) { return renderer.render(request); });
 }
 

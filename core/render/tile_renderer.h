@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/base/parallel.h"
-#include "core/mesh/topology.h"
 #include "core/render/frame.h"
 #include "core/trace/ray_caster.h"
+#include "core/trace/sheets.h"
 
 namespace hybridrt {
 
@@ -12,7 +12,7 @@ namespace hybridrt {
 /// form's, up to rounding; with method raytrace primary rays find what is seen, and all else is the same; where the
 /// settings repair the GL form's ids, the ids are the same. `caster` may be null if !needs_caster(). All arguments must
 /// outlive the call.
-void render_tiles(const Scene& scene, const SceneFacts& facts, const Topology& topology, const RenderSettings& settings,
+void render_tiles(const Scene& scene, const SceneFacts& facts, const Sheets& sheets, const RenderSettings& settings,
                   const RayCaster<float>* caster, ThreadPool& pool, const NextFrame& next, const DeliverFrame& deliver);
 
 }  // namespace hybridrt

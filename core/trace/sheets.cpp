@@ -1,5 +1,7 @@
 #include "core/trace/sheets.h"
 
+#include "core/base/memory.h"
+
 namespace hybridrt {
 namespace {
 
@@ -39,5 +41,7 @@ Sheets make_sheets(const Scene& scene, const Topology& topology, ThreadPool& poo
   });
   return sheets;
 }
+
+size_t memory_bytes(const Sheets& sheets) { return bytes_of(sheets.sides) + bytes_of(sheets.across); }
 
 }  // namespace hybridrt

@@ -24,4 +24,7 @@ struct Sheets {
 /// The result does not depend on the number of threads.
 Sheets make_sheets(const Scene& scene, const Topology& topology, ThreadPool& pool);
 
+/// Bytes of finished sheets.
+size_t memory_bytes(const Sheets& sheets);
+
 }  // namespace hybridrt

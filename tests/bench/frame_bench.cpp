@@ -31,7 +31,7 @@ void measure(const std::string& name, const BenchOptions& options, ThreadPool& p
   BenchScene bench = load_bench_scene(name, pool);
   bench.scene.origin_world = dvec3(0);
   const SceneFacts facts = make_scene_facts(bench.scene);
-  const Topology topology = build_topology(bench.scene, pool);
+  const Sheets sheets = make_sheets(bench.scene, build_topology(bench.scene, pool), pool);
   RenderSettings settings;
   settings.forms = PassForms::cpu;
   settings.width_px = options.width_px, settings.height_px = options.height_px;
@@ -58,7 +58,7 @@ void measure(const std::string& name, const BenchOptions& options, ThreadPool& p
       return request;
     };
     const auto deliver = [&](Frame&& frame) { timed = {watch.elapsed_ms(), std::move(frame)}; };
-    render_tiles(bench.scene, facts, topology, chosen, caster.caster.get(), pool, next, deliver);
+    render_tiles(bench.scene, facts, sheets, chosen, caster.caster.get(), pool, next, deliver);
     return timed;
   };
 

@@ -158,7 +158,7 @@ TEST_F(RendererLimits, TooLargePicturesAreRefusedBeforeAnyWork) {
     settings.shadows = ShadowMode::map;
     settings.*member = limit + 1;
     const std::string message = device_error([&] {
-      GlRenderer(context(), gl::embedded_shaders(), scene, make_scene_facts(scene), Topology(), settings, 1, nullptr,
+      GlRenderer(context(), gl::embedded_shaders(), scene, make_scene_facts(scene), Sheets(), settings, 1, nullptr,
                  pool);
     });
     EXPECT_NE(message.find("GL_MAX_TEXTURE_SIZE"), std::string::npos) << message;

@@ -20,7 +20,7 @@ class KeptShadowMap : public GlTest {
     settings.frames_in_flight = slots;
     const auto caster = make_embree_caster(job_.scene, 1);
     ThreadPool pool(2);
-    GlRenderer renderer(context(), gl::embedded_shaders(), job_.scene, job_.facts, job_.topology, settings, 1,
+    GlRenderer renderer(context(), gl::embedded_shaders(), job_.scene, job_.facts, job_.sheets, settings, 1,
                         caster.get(), pool);
     size_t begun = 0;
     std::vector<Frame> frames;

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/memory.h"
+#include "core/procedural/spheres.h"
+#include "core/render/render_job.h"
 #include "tests/support/textured_scenes.h"
 
 namespace hybridrt {
@@ -34,7 +37,8 @@ TEST(FrameMemory, GrowsWithLights) {
   const Scene scene = textured_room();
   settings.shadows = ShadowMode::exact;
   const auto accelerator = [&](size_t lights) {
-    return estimate_memory(scene, make_scene_facts(scene), Topology(), settings, lights, false, 1, 1).accelerator;
+    return estimate_memory(scene, make_scene_facts(scene), Topology(), Sheets(), settings, lights, false, 1, 1)
+        .accelerator;
   };
   EXPECT_GT(accelerator(1), accelerator(0));
   EXPECT_EQ(accelerator(3) - accelerator(2), accelerator(1) - accelerator(0));
@@ -54,7 +58,7 @@ TEST(FrameMemory, ShadowMapsOfTheCpuCount) {
   EXPECT_GT(whole - frames(1).frames, map);
   const Scene scene = textured_room();
   const auto accelerator = [&] {
-    return estimate_memory(scene, make_scene_facts(scene), Topology(), settings, 1, false, 1, 1).accelerator;
+    return estimate_memory(scene, make_scene_facts(scene), Topology(), Sheets(), settings, 1, false, 1, 1).accelerator;
   };
   settings.method = Method::raster;
   const size_t without = accelerator();
@@ -74,13 +78,26 @@ TEST(FrameMemory, IsBoundedByThePicturesThatWaitNotByTheSequence) {
   EXPECT_EQ(estimate_frame_memory(with_aovs, 1, 2, 1).pictures, 3 * one);
 }
 
+// docs/architecture.md, Memory: components 4 bytes per triangle, sheets 13.
+TEST(SceneMemory, AJobKeepsNoEdges) {
+  ThreadPool pool(2);
+  Warnings warnings;
+  RenderJob job;
+  set_scene(job, make_spheres({20000, 10}), pool, warnings);
+  const size_t triangles = job.scene.triangle_count();
+  EXPECT_EQ(memory_bytes(job.sheets), 13 * triangles);
+  EXPECT_EQ(memory_bytes(job.topology), 4 * triangles + bytes_of(job.topology.components));
+  EXPECT_GT(job.topology.components.size(), 1u) << "what is left is still known";
+  EXPECT_GT(job.topology.edge_count, triangles);
+}
+
 TEST(SceneMemory, TexturesCountTwiceWithGl) {
   Scene scene = textured_room();
   const size_t textures = scene.textures->memory_bytes();
   EXPECT_GT(textures, 4 * (12 * 7 + 32 * 32));
   RenderSettings settings;
   const auto estimate = [&] {
-    return estimate_memory(scene, make_scene_facts(scene), Topology(), settings, 1, false, 1, 1);
+    return estimate_memory(scene, make_scene_facts(scene), Topology(), Sheets(), settings, 1, false, 1, 1);
   };
   const MemoryEstimate with = estimate();
   scene.textures = nullptr;
