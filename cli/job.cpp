@@ -80,6 +80,7 @@ RenderJob make_render_job(const RenderOptions& o, const SceneSource& source, Thr
                           job.most_bytes);
   const Framing framing = set_loaded_scene(job, o, source, pool, warnings, progress);
   set_camera_and_lights(job, o, source, framing, pool, warnings);
+  if (!needs_caster(job.facts, job.settings, lights_move(job.lights, job.motion))) job.caster = {};  // for the camera
   return job;
 }
 
