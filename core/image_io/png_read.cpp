@@ -49,7 +49,14 @@ Image read_png(const std::filesystem::path& path) {
 
 TexelSize png_texel_size(const std::filesystem::path& path, int largest_side_px, uint64_t most_texels) {
   constexpr uint64_t kBytesPerTexel = 4;
-  const PngFile file(path);
+  const PngFile file = [&] {
+    try {
+      return PngFile(path);
+    } catch (const Error&) {
+      require_whole(path);  // knows the reason better
+      throw;
+    }
+  }();
   require_readable_size(path, file.width_px(), file.height_px(), file.channels());
   require_texel_size(path, file.width_px(), file.height_px(), {largest_side_px, most_texels});
   const auto height = static_cast<uint64_t>(file.height_px());
