@@ -8,7 +8,7 @@ VisitFrames frames_of_visit(const FrameSpec& counted, int frames_in_flight) {
   const int last_frame = last.first + (last.last - last.first) / last.step * last.step;
   VisitFrames visit;
   std::vector<FrameRange>& ranges = visit.frames.ranges;
-  ranges = {{first.first, first.first, 1}};
+  ranges.assign(static_cast<size_t>(frames_in_flight), {first.first, first.first, 1});
   if (counted.count() > 1) ranges.push_back({last_frame, last_frame, 1});
   visit.before = ranges.size();
   ranges.insert(ranges.end(), counted.ranges.begin(), counted.ranges.end());

@@ -25,11 +25,16 @@ TEST(VisitFrames, SeveralFollowTheirLast) {
   EXPECT_EQ(visit.before, 2u);
 }
 
-TEST(VisitFrames, TheLastHasAsManyNeighboursAsThereAreFramesInFlight) {
-  for (int in_flight : {1, 2, 4, 16}) {
-    const std::vector<int> numbers = numbers_of(frames_of_visit(parse_frame_spec("1-8:3"), in_flight).frames);
-    ASSERT_EQ(numbers.size(), 2u + 3u + static_cast<size_t>(in_flight - 1));
-    for (size_t i = 5; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], 7) << "of 1, 4 and 7 the last";
+// Frames that fill the slots, and those that empty them, leave together: they do not count.
+TEST(VisitFrames, AsManyComeBeforeAndAfterAsThereAreFramesInFlight) {
+  for (const size_t in_flight : {1, 2, 4, 16}) {
+    const VisitFrames visit = frames_of_visit(parse_frame_spec("1-8:3"), static_cast<int>(in_flight));
+    const std::vector<int> numbers = numbers_of(visit.frames);
+    EXPECT_EQ(visit.before, in_flight + 1);
+    ASSERT_EQ(numbers.size(), visit.before + 3 + in_flight - 1);
+    for (size_t i = 0; i < in_flight; ++i) EXPECT_EQ(numbers[i], 1);
+    EXPECT_EQ(numbers[in_flight], 7);
+    for (size_t i = visit.before + 3; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], 7) << "of 1, 4 and 7 the last";
   }
 }
 
