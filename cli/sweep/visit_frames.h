@@ -10,10 +10,10 @@ struct VisitFrames {
   size_t before = 0;  ///< of them, those before the ones that count
 };
 
-/// Before the frames that count the first of them, which pays for what is made once, as often as there are frames in
-/// flight: those that fill the slots wait for each other, and then leave together. And of several frames the last one,
-/// so that the first does not find what is kept while the camera stands still. After them the last one again, as
-/// often as there are frames in flight beside one: those that end a run leave it together, and have no neighbours.
+/// The frames that count stand in a cycle of themselves. Before them, one for each slot, which pays for what is made
+/// once: frames that fill the slots wait for each other, and then leave together. And of several frames one more, so
+/// that none finds what is kept while the camera stands still. After them, one for each slot but one: those that empty
+/// the slots leave together too.
 VisitFrames frames_of_visit(const FrameSpec& counted, int frames_in_flight);
 
 }  // namespace hybridrt::cli
