@@ -91,18 +91,15 @@ FrameWriter::FrameWriter(const OutputOptions& options, const OutputPaths& paths,
   if (!paths.stream.name.empty())
     stream_.emplace(paths.stream, encode_options(options), most_written_bytes(job.settings, threads));
   if (paths.timings.empty()) return;
-  if (options.existing == Existing::resume)
-    if (const std::optional<TimingsRows> rows = read_timings_rows(paths.timings)) {
-      has_row_.emplace();
-      for (const auto& [frame, row] : *rows) has_row_->insert(frame);
-      timings_.emplace(paths.timings, *rows);
-    }
-  if (!timings_) timings_.emplace(paths.timings);
+  std::optional<TimingsRows> rows;
+  if (options.existing == Existing::resume) rows = read_timings_rows(paths.timings);
+  goes_on_with_rows_ = rows.has_value();
+  timings_.emplace(paths.timings, std::move(rows).value_or(TimingsRows()));
 }
 
-bool FrameWriter::is_kept(int frame) const {
+bool FrameWriter::is_kept(int frame) {
   if (options_.existing != Existing::resume || sheet_.shows(frame)) return false;
-  if (has_row_ && !has_row_->contains(frame)) return false;
+  if (goes_on_with_rows_ && !timings_->has_earlier(frame)) return false;
   const std::string expected = description_of(frame_metadata(metadata_, job_, frame));
   const auto is_as_expected = [&](const std::filesystem::path& file) {
     return (with_record_ ? read_record(file) : read_description(file)) == expected;

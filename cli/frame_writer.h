@@ -62,14 +62,14 @@ class FrameWriter {
   const bool layered_;      ///< AOVs are layers of the picture, not files of their own
   const bool with_record_;  ///< the format keeps no metadata
   RunMetadata metadata_;
-  std::optional<std::set<int>> has_row_;    ///< frames of the timings file that this run goes on with
+  bool goes_on_with_rows_ = false;          ///< there is a timings file of an earlier run
   std::deque<std::pair<int, bool>> asked_;  ///< frames of keeps() that have not come to the timings; true: kept
   SheetCollector sheet_;
   std::optional<TimingsCsv> timings_;
   FileSink sink_;
   std::optional<PictureStream> stream_;  ///< takes the pictures, and the sink no more than the contact sheet
 
-  bool is_kept(int frame) const;
+  bool is_kept(int frame);
   void add_kept_rows_before(int frame);
 };
 

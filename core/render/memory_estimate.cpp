@@ -15,10 +15,12 @@ namespace {
 
 // Measured on balls, chess and grass, of 500,000 to five million triangles (tests/bench/memory_bench): 73 to 82 and 60
 // to 62.
-constexpr size_t kEmbreeBytesPerTriangle = 90, kKdTreeBytesPerTriangle = 62;
+constexpr size_t kEmbreeBytesPerTriangle = 90, kKdTreeBytesPerTriangle = 75;
 constexpr size_t kClusterBytesPerTriangle = 34;       // of the CPU's rasteriser; measured: 22 to 32
 constexpr size_t kLightBufferBytesPerTriangle = 155;  // measured: 67 (balls) to 152 (grass)
-constexpr size_t kMapBytesPerTriangle = 40;           // drawing shadow maps on the CPU: tiles' lists
+constexpr size_t kBuildingBytesPerTriangle =
+    110;                                     // beside a light buffer that is made, edges not yet given back included
+constexpr size_t kMapBytesPerTriangle = 40;  // drawing shadow maps on the CPU: tiles' lists
 
 size_t geometry_bytes(const Scene& scene) {
   return bytes_of(scene.positions) + bytes_of(scene.normals) + bytes_of(scene.triangle_positions) +
@@ -116,7 +118,8 @@ MemoryEstimate estimate_memory(const Scene& scene, const SceneFacts& facts, cons
   const bool asks_light = s.method == Method::raytrace || s.shadows == ShadowMode::blur ||
                           s.shadows == ShadowMode::exact || s.shadows == ShadowMode::rays || scatters;
   if (s.method != Method::reference && s.method != Method::raster && s.shadows != ShadowMode::none && asks_light)
-    estimate.accelerator += light_count * scene.triangle_count() * kLightBufferBytesPerTriangle;
+    estimate.accelerator += scene.triangle_count() * (light_count * kLightBufferBytesPerTriangle +
+                                                      (light_count > 0 ? kBuildingBytesPerTriangle : 0));
   return estimate;
 }
 

@@ -60,6 +60,11 @@ void TimingsCsv::add(const Frame& frame, int files) {
   if (files == 0) write_complete_rows();
 }
 
+bool TimingsCsv::has_earlier(int frame) {
+  std::lock_guard lock(mutex_);
+  return earlier_.contains(frame);
+}
+
 void TimingsCsv::add_earlier(int frame) {
   std::lock_guard lock(mutex_);
   auto found = earlier_.extract(frame);

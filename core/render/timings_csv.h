@@ -34,6 +34,8 @@ class TimingsCsv {
   /// `files`: how many file_written() calls will follow for this frame.
   void add(const Frame& frame, int files);
   void file_written(int frame, double write_ms);
+  /// Whether the earlier file has a row of a frame that did not come yet.
+  bool has_earlier(int frame);
   /// Adds a frame's row as it stands in the earlier file, if it does.
   void add_earlier(int frame);
 

@@ -49,4 +49,13 @@ BenchOptions parse_bench_options(int argc, char** argv) {
   return options;
 }
 
+int print_table(int argc, char** argv, const char* header,
+                const std::function<void(const std::string& scene, const BenchOptions&, ThreadPool&)>& measure) {
+  const BenchOptions options = parse_bench_options(argc, argv);
+  ThreadPool pool(options.threads);
+  std::printf("%s\n", header);
+  for (const std::string& scene : options.scenes) measure(scene, options, pool);
+  return 0;
+}
+
 }  // namespace hybridrt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,9 @@ struct BenchOptions {
 /// --threads=N --rounds=N --size=WxH --depth=N --alone SCENE...; --target=NAME limits Highway to that instruction set.
 /// Ends the program with a line for anything else.
 BenchOptions parse_bench_options(int argc, char** argv);
+
+/// A benchmark's main(): prints its table's header and has each scene's lines printed.
+int print_table(int argc, char** argv, const char* header,
+                const std::function<void(const std::string& scene, const BenchOptions&, ThreadPool&)>& measure);
 
 }  // namespace hybridrt

@@ -88,10 +88,7 @@ void measure(const std::string& name, const BenchOptions& options, ThreadPool& p
 }  // namespace hybridrt
 
 int main(int argc, char** argv) {
-  using namespace hybridrt;
-  const BenchOptions options = parse_bench_options(argc, argv);
-  ThreadPool pool(options.threads);
-  printf("scene,triangles,hybrid,raytrace,embree,embree/hybrid,raytrace/hybrid,id,mark,trace,shade,download\n");
-  for (const std::string& scene : options.scenes) measure(scene, options, pool);
-  return 0;
+  return hybridrt::print_table(
+      argc, argv, "scene,triangles,hybrid,raytrace,embree,embree/hybrid,raytrace/hybrid,id,mark,trace,shade,download",
+      hybridrt::measure);
 }

@@ -67,7 +67,7 @@ class Table {
   Stopwatch watch_;
 };
 
-void measure(const std::string& name, ThreadPool& pool) {
+void measure(const std::string& name, const BenchOptions&, ThreadPool& pool) {
   Table table(name);
   const BenchScene bench = load_bench_scene(name, pool);
   const Scene& scene = bench.scene;
@@ -95,10 +95,7 @@ void measure(const std::string& name, ThreadPool& pool) {
 }  // namespace hybridrt
 
 int main(int argc, char** argv) {
-  using namespace hybridrt;
-  const BenchOptions options = parse_bench_options(argc, argv);
-  ThreadPool pool(options.threads);
-  printf("scene,triangles,structure,bytes per triangle,resident,resident in all,peak meanwhile,ms\n");
-  for (const std::string& scene : options.scenes) measure(scene, pool);
-  return 0;
+  return hybridrt::print_table(
+      argc, argv, "scene,triangles,structure,bytes per triangle,resident,resident in all,peak meanwhile,ms",
+      hybridrt::measure);
 }
