@@ -96,14 +96,17 @@ class EmbreeCaster final : public RayCaster<float> {
     }
   }
 
-  /// The first rays, as many as fit; returns how many.
+  /// The first rays, as many as fit; returns how many. Lanes without one have an empty range of t as well: where its
+  /// vectors are narrower than a packet, Embree looks at that and not at `valid`.
   static size_t fill_packet(std::span<const Ray<float>> rays, int* valid, RTCRay16& packet) {
     const size_t count = std::min(rays.size(), kPacket);
-    std::fill_n(valid, kPacket, 0);
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < kPacket; ++i) {
       RTCRay ray;
-      if (!fill(rays[i], ray)) continue;
-      valid[i] = -1;
+      valid[i] = i < count && fill(rays[i], ray) ? -1 : 0;
+      if (!valid[i]) {
+        ray = {};
+        ray.tnear = 1;
+      }
       packet.org_x[i] = ray.org_x, packet.org_y[i] = ray.org_y, packet.org_z[i] = ray.org_z;
       packet.dir_x[i] = ray.dir_x, packet.dir_y[i] = ray.dir_y, packet.dir_z[i] = ray.dir_z;
       packet.tnear[i] = ray.tnear, packet.tfar[i] = ray.tfar;

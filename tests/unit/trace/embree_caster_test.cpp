@@ -102,16 +102,51 @@ TEST(EmbreeCaster, PositionsThatEndTheirMemoryAreCopied) {
 TEST(EmbreeCaster, RangeIsOpen) {
   const Scene box = closed_box();
   const auto caster = make_embree_caster(box, 1);
-  const std::vector<Ray<float>> rays = {{vec3(0.5f, 0.4f, -1), vec3(0, 0, 1), 0, 1},
-                                        {vec3(0.5f, 0.4f, -1), vec3(0, 0, 1), 0, 1.0001f},
-                                        {vec3(0.5f, 0.4f, -1), vec3(0, 0, 1), 1},
-                                        {vec3(0.5f, 0.4f, -1), vec3(0, 0, 1), 2}};
-  std::vector<Hit<float>> hits(rays.size());
-  caster->closest_hits(rays, hits);
-  EXPECT_FALSE(hits[0].found());
-  EXPECT_EQ(hits[1].t, 1);
-  EXPECT_EQ(hits[2].t, 2);
-  EXPECT_FALSE(hits[3].found());
+  const auto hit_within = [&](float t_min, float t_max) {
+    const Ray<float> ray{vec3(0.5f, 0.4f, -1), vec3(0, 0, 1), t_min, t_max};
+    Hit<float> hit;
+    caster->closest_hits(std::span(&ray, 1), std::span(&hit, 1));
+    return hit;
+  };
+  constexpr float kEnd = std::numeric_limits<float>::infinity();
+  // Embree's t depends on the processor's instructions by a rounding.
+  const float near = hit_within(0, kEnd).t, far = hit_within(1.5f, kEnd).t;
+  EXPECT_NEAR(near, 1, 1e-6);
+  EXPECT_NEAR(far, 2, 1e-6);
+  EXPECT_FALSE(hit_within(0, near).found());
+  EXPECT_EQ(hit_within(0, std::nextafter(near, kEnd)).t, near);
+  EXPECT_EQ(hit_within(near, kEnd).t, far);
+  EXPECT_FALSE(hit_within(far, kEnd).found());
+}
+
+/// Leaves numbers on the stack that make a ray which Embree refuses.
+__attribute__((noinline)) void dirty_the_stack() {
+  volatile float garbage[1 << 14];
+  for (volatile float& number : garbage) number = 1e30f;
+}
+
+// With vectors of eight floats Embree traces every lane of a packet of 16 whose range is not empty.
+TEST(EmbreeCaster, LanesWithoutARayAreEmpty) {
+  const Scene scene = random_soup(11, 200, 0.3f);
+  const auto caster = make_embree_caster(scene, 1);
+  Random random(12);
+  std::vector<Ray<float>> rays;
+  for (int i = 0; i < 40; ++i) rays.push_back({random.in_cube(-2, 2), random.direction()});
+  rays[5].dir = vec3(0);  // not traceable
+  std::vector<Hit<float>> all(rays.size());
+  caster->closest_hits(rays, all);
+  for (size_t count = 1; count <= rays.size(); ++count) {
+    std::vector<Hit<float>> hits(count);
+    std::vector<uint8_t> occluded(count);
+    dirty_the_stack();
+    caster->closest_hits(std::span(rays).first(count), hits);
+    dirty_the_stack();
+    caster->any_hits(std::span(rays).first(count), occluded);
+    for (size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(hits[i].triangle, all[i].triangle) << i;
+      EXPECT_EQ(occluded[i] != 0, all[i].found()) << i;
+    }
+  }
 }
 
 }  // namespace
