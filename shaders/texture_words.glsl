@@ -6,4 +6,9 @@ uint texture_word(uint i) {
   uint width_shift = uint(HRT_TEXTURE_WORDS_WIDTH_SHIFT);
   return texelFetch(texture_words, ivec2(i & ((1u << width_shift) - 1u), i >> width_shift), 0).r;
 }
+uint texel_word(uint i) { return texture_word(i); }
+
+#define Int int
+#define Uint uint
+#define HRT_ANY(condition) (condition)
 #include "texture.glsl"

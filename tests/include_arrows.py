@@ -39,7 +39,8 @@ SHARED_BY_PASSES = ("scene_gpu", "view_uniforms")
 ABOVE_CORE = {"cli": ["core"], "tests": ["core", "cli", "shaders"]}
 
 # Shared by C++ and GLSL; anyone may include these, but no other shader.
-SHARED_WITH_GLSL = ["shaders/shared.h", "shaders/shadow_warp.glsl", "shaders/surface.glsl", "shaders/texture.glsl"]
+SHARED_WITH_GLSL = ["shaders/shared.h", "shaders/shadow_warp.glsl", "shaders/surface.glsl", "shaders/texture.glsl",
+                    "shaders/texture_holes.glsl"]
 
 # Third-party headers by prefix, and the only folders or files that may include them.
 FENCES = {

@@ -24,7 +24,7 @@ class RowShader {
       if (points_.count == 0) continue;
       find_points(job_.scene, job_.view, job_.lights, points_);
       light_points();
-      shade(job_, job_.view, points_, lit_, colors_);
+      shade(job_, points_, lit_, colors_);
       keep_colors();
     }
   }

@@ -5,6 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/passes_cpu/mark_boundary.h"
+#include "core/trace/prefetch.h"
 #include "core/trace/surface_at.h"
 #include "core/trace/texture_lookup.h"
 #include "shaders/shared.h"
@@ -117,12 +118,12 @@ void TileWorker::render_points(const View& view, PassClock& clock) {
   light_points();
   const double lighting_ms = clock.charge(job_.plan.trace_shadows ? PassId::trace : PassId::mark);
   if (job_.plan.trace_shadows) stats_.shadow_cpu_ms += lighting_ms;
-  shade(job_.trace, view, points_, lit_, colors_);
+  shade(job_.trace, points_, lit_, colors_);
   stats_.pixels_hit += points_.count;
   for (int i = 0; i < points_.count; ++i) stats_.pixels_lit += lit_[i] != 0;
   clock.charge(PassId::shade);
   if (!job_.plan.trace_scattered) return;
-  scatter_points(view);
+  scatter_points();
   clock.charge(PassId::trace);
 }
 
@@ -149,27 +150,15 @@ void TileWorker::take_points(int x0, int y0, int x1, int y1, int part_y0) {
 
 void TileWorker::add_point(int x, int y, uint32_t triangle, uint32_t place) {
   const int i = points_.count++;
-  if (i == 0 || points_.triangle[i - 1] != triangle) prefetch(triangle);
+  if (i == 0 || points_.triangle[i - 1] != triangle) prefetch_numbers(scene_, triangle);
   points_.x[i] = x, points_.y[i] = y;
   points_.triangle[i] = triangle;
   places_[i] = place;
 }
 
-/// A triangle's data lie anywhere in memory: they are fetched while others are worked on, first what names its corners.
-void TileWorker::prefetch(uint32_t triangle) const {
-  __builtin_prefetch(&scene_.triangle_positions[triangle]);
-  __builtin_prefetch(&scene_.triangle_normals[triangle]);
-  __builtin_prefetch(&scene_.triangle_materials[triangle]);
-}
 void TileWorker::prefetch_all_corners() const {
   for (int i = 0; i < points_.count; ++i)
-    if (i == 0 || points_.triangle[i - 1] != points_.triangle[i]) prefetch_corners(points_.triangle[i]);
-}
-void TileWorker::prefetch_corners(uint32_t triangle) const {
-  for (int k = 0; k < 3; ++k) {
-    __builtin_prefetch(&scene_.positions[scene_.triangle_positions[triangle][k]]);
-    __builtin_prefetch(&scene_.normals[scene_.triangle_normals[triangle][k]]);
-  }
+    if (i == 0 || points_.triangle[i - 1] != points_.triangle[i]) prefetch_corners(scene_, points_.triangle[i]);
 }
 
 void TileWorker::keep_colors() {
@@ -236,7 +225,7 @@ void TileWorker::keep_masks(size_t light) {
 }
 
 /// Queues the rays that the points reflect and refract.
-void TileWorker::scatter_points(const View& view) {
+void TileWorker::scatter_points() {
   for (int i = 0; i < points_.count; ++i) {
     const uint32_t triangle = points_.triangle[i];
     const Material& material = scene_.material_of(triangle);
@@ -248,8 +237,7 @@ void TileWorker::scatter_points(const View& view) {
     vec3 reflect = material.reflect;
     float distance = 0, solid_angle = 0;
     if (scene_.textures) {
-      distance = static_cast<float>(glm::distance(view.eye, dvec3(surface.point)));
-      solid_angle = static_cast<float>(view.sample_solid_angle(points_.x[i], points_.y[i]));
+      distance = points_.distance[i], solid_angle = points_.solid_angle[i];
       if (material.texture_maps != 0)
         reflect = textured_colors(scene_, triangle, points_.u[i], points_.v[i], dir, solid_angle, distance).reflect;
     }

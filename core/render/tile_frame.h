@@ -75,15 +75,13 @@ class TileWorker {
   void render_part(int x0, int y0, int x1, int y1);
   void render_points(const View& view, PassClock& clock);
   vec4 background() const;
-  void prefetch(uint32_t triangle) const;
-  void prefetch_corners(uint32_t triangle) const;
   void take_points(int x0, int y0, int x1, int y1, int part_y0);
   void add_point(int x, int y, uint32_t triangle, uint32_t place);
   void prefetch_all_corners() const;
   void light_points();
   void ask_light(size_t light);
   void keep_masks(size_t light);
-  void scatter_points(const View& view);
+  void scatter_points();
   void add_traced(int x0, int y0, int x1, int y1);
   void keep_colors();
   float* pixel(int x, int y) const { return &job_.pixels.picture.data[index_of(x, y) * job_.pixels.picture.channels]; }

@@ -2,6 +2,7 @@
 
 #include "core/base/check.h"
 #include "core/base/timing.h"
+#include "core/trace/prefetch.h"
 #include "core/trace/primary_surface.h"
 #include "shaders/shared.h"
 
@@ -98,6 +99,25 @@ void RayGenerations<Real>::take_batch() {
   tags_.resize(first);
 }
 
+/// Fills surfaces_, of the hits. Few at a time, so that what is fetched stays in the cache until it is read.
+template <typename Real>
+void RayGenerations<Real>::find_surfaces() {
+  constexpr size_t kAtOnce = 64;
+  surfaces_.resize(hits_.size());
+  for (size_t first = 0; first < hits_.size(); first += kAtOnce) {
+    const size_t end = std::min(first + kAtOnce, hits_.size());
+    const auto for_each_hit = [&](const auto& body) {
+      for (size_t i = first; i < end; ++i)
+        if (hits_[i].found()) body(i, hits_[i].triangle);
+    };
+    for_each_hit([&](size_t, uint32_t triangle) { prefetch_numbers(job_.scene, triangle); });
+    for_each_hit([&](size_t, uint32_t triangle) { prefetch_corners(job_.scene, triangle); });
+    for_each_hit([&](size_t i, uint32_t triangle) {
+      surfaces_[i] = surface_at(job_.scene, triangle, hits_[i].u, hits_[i].v, batch_rays_[i].dir);
+    });
+  }
+}
+
 /// Queues a shadow ray to every light that the hit's side faces; lights without shadows arrive without one.
 template <typename Real>
 void RayGenerations<Real>::queue_shadow_rays(size_t i) {
@@ -172,17 +192,13 @@ Vec3<Real> RayGenerations<Real>::color_of(size_t i, const SurfaceColors<Real>& p
 
 template <typename Real>
 void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHit> primary_hits, TraceStats& stats) {
-  const Scene& scene = job_.scene;
   while (!rays_.empty()) {
     const double started_ms = thread_cpu_ms();
     take_batch();
     const bool primary = batch_tags_.front().generation == 0;
     hits_.resize(batch_rays_.size());
-    surfaces_.resize(batch_rays_.size());
     caster_->closest_hits(batch_rays_, hits_);
-    for (size_t i = 0; i < hits_.size(); ++i)
-      if (hits_[i].found())
-        surfaces_[i] = surface_at(scene, hits_[i].triangle, hits_[i].u, hits_[i].v, batch_rays_[i].dir);
+    find_surfaces();
 
     const double before_shadows_ms = thread_cpu_ms();
     ask_shadow_rays(stats);

@@ -53,6 +53,7 @@ class RayGenerations {
 
   void set_solid_angle(uint32_t pixel, Real solid_angle);
   void take_batch();
+  void find_surfaces();
   void queue_shadow_rays(size_t in_batch);
   void ask_shadow_rays(TraceStats& stats);
   Vec3<Real> color_of(size_t in_batch, const SurfaceColors<Real>& paint) const;

@@ -41,12 +41,13 @@ class PointFinder {
         step_y_(view.ray_step_y()),
         x_px_(view.x_px),
         y_px_(view.y_px),
+        sample_area_(view.sample_area()),
         lights_(lights),
         points_(points) {}
 
   void find(int first) {
     const Vector p0 = corner(first, 0), p1 = corner(first, 1), p2 = corner(first, 2);
-    const Vector eye = Vector::all(eye_), dir = direction(first);
+    const Vector eye = Vector::all(eye_), ray = pixel_dir(first), dir = normalize(ray);
     const Vector weights = surface_doubles::clamped_barycentrics(p0 - eye, p1 - eye, p2 - eye, dir);
     const Vector e1 = p1 - p0, e2 = p2 - p0, normal = cross(e1, e2);
     const auto from_front = dot(normal, dir) <= Real(0);
@@ -59,6 +60,12 @@ class PointFinder {
     origin.x.store(points_.origin[0] + first), origin.y.store(points_.origin[1] + first);
     origin.z.store(points_.origin[2] + first);
     store_float(weights.y, points_.u + first), store_float(weights.z, points_.v + first);
+    if (scene_.textures) {
+      const Real squared = dot(ray, ray);
+      const Vector from_eye = origin - eye;
+      store_float(Real(sample_area_) / (squared * sqrt(squared)), points_.solid_angle + first);
+      store_float(sqrt(dot(from_eye, from_eye)), points_.distance + first);
+    }
     const Vector unit_side = side / length;
     const Real* const dirs[] = {&dir.x, &dir.y, &dir.z};
     const Real* const sides[] = {&unit_side.x, &unit_side.y, &unit_side.z};
@@ -98,19 +105,20 @@ class PointFinder {
     return {doubled(values[0]), doubled(values[1]), doubled(values[2])};
   }
 
-  /// View::pixel_dir, normalised.
-  Vector direction(int first) const {
+  /// View::pixel_dir.
+  Vector pixel_dir(int first) const {
     HWY_ALIGN double x[8], y[8];
     for (int i = 0; i < kDoubles; ++i) {
       x[i] = static_cast<double>(x_px_ + points_.x[first + i]);
       y[i] = static_cast<double>(y_px_ + points_.y[first + i]);
     }
-    return normalize(Vector::all(first_) + Real::load(x) * Vector::all(step_x_) + Real::load(y) * Vector::all(step_y_));
+    return Vector::all(first_) + Real::load(x) * Vector::all(step_x_) + Real::load(y) * Vector::all(step_y_);
   }
 
   const Scene& scene_;
   const dvec3 eye_, first_, step_x_, step_y_;
   const int x_px_, y_px_;
+  const double sample_area_;
   const std::span<const TracedLight> lights_;
   SeenPoints& points_;
 };

@@ -22,8 +22,10 @@ struct SeenPoints {
   alignas(64) double origin[3][kRoom];              ///< of shadow rays
   alignas(64) float u[kRoom], v[kRoom];             ///< barycentric weights of the second and third vertex
   alignas(64) float dir[3][kRoom], side[3][kRoom];  ///< unit: from the eye; the seen side's geometric normal
-  uint8_t from_front[kRoom];                        ///< 1: the triangle's counterclockwise side is seen
-  uint8_t facing[kRoom];                            ///< bit l: that side faces light l
+  alignas(64) float solid_angle[kRoom],
+      distance[kRoom];        ///< of the pixel's sample; from the eye. If there are textures
+  uint8_t from_front[kRoom];  ///< 1: the triangle's counterclockwise side is seen
+  uint8_t facing[kRoom];      ///< bit l: that side faces light l
 };
 
 /// Finds the points that the pixels see. Their triangles must be what their centres see, not degenerate.

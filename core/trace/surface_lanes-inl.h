@@ -9,6 +9,8 @@
 #include <cmath>
 #include <hwy/highway.h>
 
+#include "core/trace/log2.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace hybridrt {
 namespace HWY_NAMESPACE {
@@ -59,6 +61,10 @@ LaneReal<T> max(LaneReal<T> a, LaneReal<T> b) {
   return choose(a < b, b, a);  // as GLM's, also where one is not a number
 }
 template <typename T>
+LaneReal<T> min(LaneReal<T> a, LaneReal<T> b) {
+  return choose(b < a, b, a);
+}
+template <typename T>
 LaneReal<T> abs(LaneReal<T> a) {
   return LaneReal<T>(hn::Abs(a.v));
 }
@@ -104,23 +110,29 @@ LaneVec3<T> normalize(LaneVec3<T> v) {
   return (LaneReal<T>(1) / sqrt(dot(v, v))) * v;
 }
 
+/// As log2_by_series(), to the bit.
+inline LaneReal<float> log2(LaneReal<float> x) {
+  using Real = LaneReal<float>;
+  constexpr LanesOf<float> kLanes;
+  constexpr hn::RebindToSigned<LanesOf<float>> kInts;
+  const auto bits = hn::BitCast(kInts, x.v);
+  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(kInts, kLeastMantissaBits)));
+  const Real m(hn::BitCast(kLanes, hn::Sub(bits, hn::ShiftLeft<23>(exponent))));
+  const Real s = (m - Real(1)) / (m + Real(1)), s2 = s * s;
+  Real series = Real(2.8853900817779268 / 9);
+  for (const double term : {2.8853900817779268 / 7, 2.8853900817779268 / 5, 2.8853900817779268 / 3, 2.8853900817779268})
+    series = series * s2 + Real(term);
+  return Real(hn::ConvertTo(kLanes, exponent)) + s * series;
+}
+
 /// `x` >= 0 to the power of `y` > 0; exact to about 1e-7 of the largest result for x <= 1. 2^(y log2 x), both by their
 /// series.
 inline LaneReal<float> pow(LaneReal<float> x, LaneReal<float> y) {
   using Real = LaneReal<float>;
   constexpr LanesOf<float> kLanes;
   constexpr hn::RebindToSigned<LanesOf<float>> kInts;
-  // x = 2^exponent m, m from 2^-1/2 to 2^1/2; log2 m by the series of artanh((m - 1) / (m + 1)).
-  const auto bits = hn::BitCast(kInts, x.v);
-  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(kInts, 0x3f3504f3)));
-  const Real m(hn::BitCast(kLanes, hn::Sub(bits, hn::ShiftLeft<23>(exponent))));
-  const Real s = (m - Real(1)) / (m + Real(1)), s2 = s * s;
-  Real series = Real(2.8853900817779268 / 9);
-  for (const double term : {2.8853900817779268 / 7, 2.8853900817779268 / 5, 2.8853900817779268 / 3, 2.8853900817779268})
-    series = series * s2 + Real(term);
-  const Real log2_x = Real(hn::ConvertTo(kLanes, exponent)) + s * series;
   // 2^t = 2^n e^(ln 2 (t - n)), n the nearest whole number.
-  Real t = choose(x > Real(0), y * log2_x, Real(-200));
+  Real t = choose(x > Real(0), y * log2(x), Real(-200));
   const auto vanishes = t < Real(-126);
   t = Real(hn::Clamp(t.v, hn::Set(kLanes, -126.0f), hn::Set(kLanes, 127.0f)));
   const Real n(hn::Round(t.v)), r = (t - n) * Real(0.69314718055994531);

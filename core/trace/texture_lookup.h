@@ -4,20 +4,28 @@
 #include <type_traits>
 
 #include "core/scene/scene.h"
+#include "core/trace/log2.h"
 #include "shaders/shared.h"
 
 // shaders/texture.glsl compiled as C++, in single and in double precision. Its functions look up words, so they are
 // members of a struct that holds them.
 #define HRT_FN
+#define HRT_CHOOSE(condition, a, b) ((condition) ? (a) : (b))
+#define HRT_ANY(condition) (condition)
 namespace hybridrt::texture_single {
 using namespace glm;
 struct Lookup {
   using Real = float;
+  using Int = int;
+  using Uint = uint32_t;
   using Vec2 = glm::vec2;
   using Vec3 = glm::vec3;
   const uint32_t* words;
   uint32_t texture_word(uint32_t i) { return words[i]; }
+  uint32_t texel_word(uint32_t i) { return words[i]; }
+  static float log2(float x) { return log2_by_series(x); }
 #include "shaders/texture.glsl"
+#include "shaders/texture_holes.glsl"
 };
 }  // namespace hybridrt::texture_single
 
@@ -25,14 +33,20 @@ namespace hybridrt::texture_double {
 using namespace glm;
 struct Lookup {
   using Real = double;
+  using Int = int;
+  using Uint = uint32_t;
   using Vec2 = glm::dvec2;
   using Vec3 = glm::dvec3;
   const uint32_t* words;
   uint32_t texture_word(uint32_t i) { return words[i]; }
+  uint32_t texel_word(uint32_t i) { return words[i]; }
 #include "shaders/texture.glsl"
+#include "shaders/texture_holes.glsl"
 };
 }  // namespace hybridrt::texture_double
 #undef HRT_FN
+#undef HRT_CHOOSE
+#undef HRT_ANY
 
 namespace hybridrt {
 

@@ -3,6 +3,7 @@
 #include "core/passes_cpu/shade.h"
 #include "core/trace/ray_generations.h"
 #include "core/trace/scatter.h"
+#include "core/trace/texture_lookup.h"
 #include "tests/bench/embree_scene.h"
 
 namespace hybridrt {
@@ -54,6 +55,8 @@ class Painter {
     RTCRay16 shadow;
     for (int lane = 0; lane < kPacket; ++lane) {
       asks[lane] = 0;
+      set_ray(shadow, lane, vec3(0), vec3(0));
+      shadow.tfar[lane] = -1;  // an empty range: narrow vectors look at that
       if (!valid[lane] || primary.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
       surfaces[lane] =
           surface_at(job_.scene, primary.hit.primID[lane], primary.hit.u[lane], primary.hit.v[lane], dirs[lane]);
@@ -78,50 +81,74 @@ class Painter {
         points_.dir[k][i] = dirs[lane][k], points_.side[k][i] = surfaces[lane].side[k];
         points_.origin[k][i] = surfaces[lane].point[k];
       }
+      points_.distance[i] = primary.ray.tfar[lane];
+      if (job_.scene.textures)
+        points_.solid_angle[i] = static_cast<float>(view.sample_solid_angle(points_.x[i], points_.y[i]));
       lit[i] = glm::dot(surfaces[lane].side, to_light_) > 0 && !(asks[lane] && shadow.tfar[lane] < 0);
     }
     for (int i = points_.count; points_.count > 0 && i < kPacket; ++i) points_.triangle[i] = points_.triangle[0];
     float colors[3][SeenPoints::kRoom];
-    hybridrt::shade(job_, job_.view, points_, {lit, sizeof(lit)}, colors);
+    hybridrt::shade(job_, points_, {lit, sizeof(lit)}, colors);
 
     for (int lane = 0; lane < kPacket; ++lane) {
       if (!valid[lane]) continue;
       const int i = point_of[lane];
       const bool hit = i >= 0;
       vec3 color = job_.background;
-      if (hit)
-        color = vec3(colors[0][i], colors[1][i], colors[2][i]) + scattered(surfaces[lane], dirs[lane], vec3(1), 0);
+      if (hit) {
+        const Met met{points_.triangle[i], points_.u[i], points_.v[i], dirs[lane], points_.distance[i]};
+        solid_angle_ = points_.solid_angle[i];
+        color = vec3(colors[0][i], colors[1][i], colors[2][i]) + scattered(met, surfaces[lane], vec3(1), 0);
+      }
       const int x = x0 + lane % kBlock_px, y = y0 + lane / kBlock_px;
       picture[static_cast<size_t>(y) * view.width_px + x] = vec4(color, hit);
     }
   }
 
  private:
-  vec3 shade(const Surface<float>& surface, const vec3& dir, bool lit) const {
+  /// Where a ray met a triangle.
+  struct Met {
+    uint32_t triangle;
+    float u, v;
+    vec3 dir;
+    float path;  ///< from the eye
+  };
+
+  SurfaceColors<float> paint_of(const Met& met, const Material& m) const {
+    return m.texture_maps == 0
+               ? plain_colors(job_.scene, met.triangle, met.u, met.v)
+               : textured_colors(job_.scene, met.triangle, met.u, met.v, met.dir, solid_angle_, met.path);
+  }
+
+  vec3 shade(const Met& met, const Surface<float>& surface, bool lit) const {
     const Material& m = job_.scene.materials[surface.material];
+    const SurfaceColors<float> paint = paint_of(met, m);
     const vec3 unlit =
-        phong_unlit(m.kd, m.ke, m.opacity, ambient_at(job_.ambient.color, job_.ambient.slope, surface.normal));
-    return lit ? unlit + phong_light(m.kd, m.ks, m.ns, m.opacity, surface.normal, -dir, to_light_,
+        phong_unlit(paint.kd, paint.ke, m.opacity, ambient_at(job_.ambient.color, job_.ambient.slope, surface.normal));
+    return lit ? unlit + phong_light(paint.kd, paint.ks, m.ns, m.opacity, surface.normal, -met.dir, to_light_,
                                      job_.lights[0].light.color)
                : unlit;
   }
 
-  vec3 scattered(const Surface<float>& surface, const vec3& dir, const vec3& weight, int generation) {
+  vec3 scattered(const Met& met, const Surface<float>& surface, const vec3& weight, int generation) {
     const Material& material = job_.scene.materials[surface.material];
     if (generation >= job_.reflection_depth || (!material.reflective() && !material.transmissive())) return vec3(0);
-    const Scattered<float> out = scatter(material, surface, dir);
-    return follow(leave(surface, out.reflected_dir), weight * out.reflected_weight, generation + 1) +
-           follow(leave(surface, out.refracted_dir, false), weight * out.refracted_weight, generation + 1);
+    const vec3 reflect = material.texture_maps == 0 ? material.reflect : paint_of(met, material).reflect;
+    const Scattered<float> out = scatter(material, reflect, surface, met.dir);
+    return follow(leave(surface, out.reflected_dir), weight * out.reflected_weight, met.path, generation + 1) +
+           follow(leave(surface, out.refracted_dir, false), weight * out.refracted_weight, met.path, generation + 1);
   }
 
-  vec3 follow(const Ray<float>& ray, const vec3& weight, int generation) {
+  /// `path`: from the eye to the ray's origin.
+  vec3 follow(const Ray<float>& ray, const vec3& weight, float path, int generation) {
     if (std::max({weight.x, weight.y, weight.z}) < kSmallestWeight) return vec3(0);
     RTCRayHit query;
     set_ray(query.ray, ray.origin, ray.dir);
     query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_, &incoherent_, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return weight * job_.background;
-    const Surface<float> surface = surface_at(job_.scene, query.hit.primID, query.hit.u, query.hit.v, ray.dir);
+    const Met met{query.hit.primID, query.hit.u, query.hit.v, ray.dir, path + query.ray.tfar};
+    const Surface<float> surface = surface_at(job_.scene, met.triangle, met.u, met.v, ray.dir);
     bool lit = glm::dot(surface.side, to_light_) > 0;
     if (lit && job_.shadows) {
       RTCRay shadow;
@@ -129,12 +156,13 @@ class Painter {
       rtcOccluded1(scene_, &incoherent_, &shadow);
       lit = shadow.tfar >= 0;
     }
-    return weight * shade(surface, ray.dir, lit) + scattered(surface, ray.dir, weight, generation);
+    return weight * shade(met, surface, lit) + scattered(met, surface, weight, generation);
   }
 
   const TraceJob& job_;
   RTCScene scene_;
   vec3 to_light_;
+  float solid_angle_ = 0;  ///< of the pixel at hand
   SeenPoints points_{};
   RTCIntersectContext coherent_, incoherent_;
 };

@@ -1,5 +1,6 @@
 #include "tests/bench/ray_sets.h"
 
+#include "core/image_io/read_image.h"
 #include "core/load/scene_source.h"
 #include "core/procedural/procedural.h"
 #include "core/trace/scatter.h"
@@ -29,7 +30,9 @@ BenchScene load_bench_scene(const std::string& argument, ThreadPool& pool) {
   Warnings warnings;
   BenchScene made;
   const SceneSource source = parse_scene_source(argument);
-  made.scene = load_scene(source, std::nullopt, pool, warnings);
+  LoadWatch watch;
+  watch.textures = {texel_size, read_texels};
+  made.scene = load_scene(source, std::nullopt, pool, warnings, watch);
   const SceneShot shot = source.procedural ? source.procedural->shot(source.procedural_values) : SceneShot();
   const Camera camera =
       shot.camera

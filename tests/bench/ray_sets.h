@@ -16,7 +16,8 @@ struct BenchScene {
   dvec3 toward{0};  ///< unit, to the light
 };
 
-/// `argument` as for `hybridrt render`. Procedural scenes are seen as in their pictures, others from slightly above.
+/// `argument` as for `hybridrt render`, with its textures. Procedural scenes are seen as in their pictures, others from
+/// slightly above.
 BenchScene load_bench_scene(const std::string& argument, ThreadPool& pool);
 
 /// The rays that a frame fires, in the order in which it fires them: tile by tile.

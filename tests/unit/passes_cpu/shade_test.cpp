@@ -52,11 +52,9 @@ vec3 shaded_alone(const TraceJob& job, const SeenPoints& p, int i, unsigned lit)
   const vec3 dir(p.dir[0][i], p.dir[1][i], p.dir[2][i]);
   const Surface<float> surface = surface_at(job.scene, p.triangle[i], p.u[i], p.v[i], dir);
   const Material& m = job.scene.materials[surface.material];
-  const SurfaceColors<float> paint =
-      m.texture_maps == 0 ? plain_colors(job.scene, p.triangle[i], p.u[i], p.v[i])
-                          : textured_colors(job.scene, p.triangle[i], p.u[i], p.v[i], dir,
-                                            static_cast<float>(job.view.sample_solid_angle(p.x[i], p.y[i])),
-                                            static_cast<float>(glm::distance(job.view.eye, dvec3(surface.point))));
+  const SurfaceColors<float> paint = m.texture_maps == 0 ? plain_colors(job.scene, p.triangle[i], p.u[i], p.v[i])
+                                                         : textured_colors(job.scene, p.triangle[i], p.u[i], p.v[i],
+                                                                           dir, p.solid_angle[i], p.distance[i]);
   vec3 color =
       phong_unlit(paint.kd, paint.ke, m.opacity, ambient_at(job.ambient.color, job.ambient.slope, surface.normal));
   for (size_t l = 0; l < job.lights.size(); ++l)
@@ -66,11 +64,17 @@ vec3 shaded_alone(const TraceJob& job, const SeenPoints& p, int i, unsigned lit)
   return color;
 }
 
-void expect_as_one_by_one(const Scene& scene) {
+std::vector<TracedLight> two_lights() {
+  return {{{glm::normalize(dvec3(1, 2, 3)), vec3(1, 0.8f, 0.5f)}}, {{dvec3(0, 1, 0), vec3(0.3f)}}};
+}
+
+/// Highlights are a vector's own series; all else is equal to the bit.
+void expect_as_one_by_one(const Scene& scene, const std::vector<TracedLight>& lights = two_lights(),
+                          int height_px = 48) {
   Camera camera;
   camera.eye_world = dvec3(0.1, 0.2, 1), camera.target_world = dvec3(0, 0, -4);
-  const View view = make_view(camera, dvec3(0), 64, 48);
-  TraceJob job{scene, view, {{{glm::normalize(dvec3(1, 2, 3)), vec3(1, 0.8f, 0.5f)}}, {{dvec3(0, 1, 0), vec3(0.3f)}}}};
+  const View view = make_view(camera, dvec3(0), height_px * 4 / 3, height_px);
+  TraceJob job{scene, view, lights};
   job.ambient = {vec3(0.2f, 0.1f, 0.3f), vec3(0.1f, 0.5f, 0)};
   const SeenPoints points = points_on(scene, view, job.lights);
   std::vector<uint8_t> lit(points.facing, points.facing + kPoints);
@@ -82,11 +86,11 @@ void expect_as_one_by_one(const Scene& scene) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     static float colors[3][SeenPoints::kRoom];
-    shade(job, view, points, lit, colors);
+    shade(job, points, lit, colors);
     for (int i = 0; i < kPoints; ++i) {
       const vec3 expected = shaded_alone(job, points, i, lit[i]);
       for (int k = 0; k < 3; ++k) {
-        EXPECT_NEAR(colors[k][i], expected[k], 1e-6f) << "point " << i;
+        EXPECT_NEAR(colors[k][i], expected[k], lights.empty() ? 0 : 1e-6f) << "point " << i;
         if (!is_first) {
           EXPECT_EQ(colors[k][i], first_colors[k][i]) << "point " << i;
         }
@@ -102,6 +106,11 @@ void expect_as_one_by_one(const Scene& scene) {
 TEST(ShadeOnCpu, IsTheSameTextPointByPointAndUnderEveryInstructionSet) { expect_as_one_by_one(many_materials()); }
 
 TEST(ShadeOnCpu, TexturesToo) { expect_as_one_by_one(textured_room()); }
+
+// The larger the pixels, the coarser the levels.
+TEST(ShadeOnCpu, TexturesAreThoseOfOnePointToTheBit) {
+  for (const int height_px : {3, 6, 12, 48, 200}) expect_as_one_by_one(textured_room(), {}, height_px);
+}
 
 }  // namespace
 }  // namespace hybridrt

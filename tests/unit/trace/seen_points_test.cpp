@@ -5,6 +5,7 @@
 
 #include "core/trace/primary_surface.h"
 #include "tests/support/raster_views.h"
+#include "tests/support/textured_scenes.h"
 
 namespace hybridrt {
 namespace {
@@ -38,6 +39,10 @@ void expect_as_one_by_one(const Scene& scene, const View& view, const SeenPoints
     });
     ASSERT_EQ(points.facing[i], facing);
     for (int k = 0; k < 3; ++k) ASSERT_EQ(points.dir[k][i], static_cast<float>(dir[k]));
+    if (!scene.textures) continue;
+    ASSERT_EQ(points.solid_angle[i], static_cast<float>(view.sample_solid_angle(points.x[i], points.y[i])));
+    const dvec3 origin(points.origin[0][i], points.origin[1][i], points.origin[2][i]);
+    ASSERT_EQ(points.distance[i], static_cast<float>(glm::distance(view.eye, origin)));
   }
 }
 
@@ -48,7 +53,8 @@ TEST(SeenPoints, AreThoseOfSinglePixelsToTheLastBitUnderEveryInstructionSet) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     Random random(3);
-    for (const Scene& scene : {random_soup(41, 800, 0.3f), slivers(42, 200), closed_box(), huge_and_small(43)}) {
+    for (const Scene& scene : {random_soup(41, 800, 0.3f), slivers(42, 200), closed_box(), huge_and_small(43),
+                               with_random_holes(random_soup(44, 400, 0.3f), 45)}) {
       const Clusters clusters = make_clusters(scene, pool);
       for (int i = 0; i < 6; ++i) {
         const View view = random_view(scene, random);

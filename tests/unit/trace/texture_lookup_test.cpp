@@ -79,6 +79,16 @@ TEST(TextureLookup, IsBilinearAndRepeatsOrStops) {
   }
 }
 
+TEST(Log2BySeries, IsTheLogarithmAndWholeAtPowersOfTwo) {
+  for (int power = -100; power <= 100; ++power) EXPECT_EQ(log2_by_series(std::ldexp(1.0f, power)), power);
+  Random random(2);
+  for (int i = 0; i < 100'000; ++i) {
+    const float x = std::ldexp(random.between(1.0f, 2.0f), static_cast<int>(random.below(100)) - 20);
+    const double truth = std::log2(static_cast<double>(x));
+    ASSERT_NEAR(log2_by_series(x), truth, std::max(2e-7, std::abs(truth) * 0x1p-23)) << x;
+  }
+}
+
 TEST(TextureLookup, VGrowsUpward) {
   Texture texture({1, 2, false, {texel_of(255, 0, 0), texel_of(0, 0, 255)}});
   EXPECT_EQ(texture.at(0.5, 0.75), dvec3(1, 0, 0)) << "the first row is on top";
