@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 seconds=${1:-60}
 shift || true
-if [ $# -gt 0 ]; then targets=("$@"); else targets=(obj ply om scene_json camera); fi
+if [ $# -gt 0 ]; then targets=("$@"); else targets=(obj ply om scene_json camera png image_header); fi
 folder=build/fuzz
 
 # The seed is fixed, so that CI tests the same every day; HYBRIDRT_FUZZ_SEED=0 takes a new one each time. Memory: a few

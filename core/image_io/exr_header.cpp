@@ -32,7 +32,7 @@ std::string take_attribute(FileBytes& file, const std::string& name, const std::
     return fmt::format("its attribute '{}' claims a preview of {}x{} pixels in {} bytes", name, first, second, size);
   if (name == "chunkCount") part.chunks = first;
   if (name == "tiles") part.tile_width_px = first, part.tile_height_px = second;
-  if (type == "tiledesc" && first * second == 0) return "its tiles have no pixels";
+  if ((name == "tiles" || type == "tiledesc") && first * second == 0) return "its tiles have no pixels";
   if (name != "dataWindow") return "";
   const auto side = [&](uint64_t i) {
     const int64_t begin = signed_of(file.little(place + i, 4)), last = signed_of(file.little(place + 8 + i, 4));

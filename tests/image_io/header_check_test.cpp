@@ -129,6 +129,8 @@ TEST(HeaderCheck, Exr) {
     return exr(window(size, size) + attribute("tiles", "tiledesc", little(tile_px, 4) + little(tile_px, 4) + '\0'));
   };
   EXPECT_EQ(fault_of(tiled(100, 64)), "");
+  EXPECT_TRUE(
+      has(fault_of(exr(window(64, 64) + attribute("tiles", "box2i", little(64, 4) + little(0, 4)))), "no pixels"));
   EXPECT_TRUE(has(fault_of(tiled(16000, 1)), "256000000 chunks in a file of"));
   EXPECT_TRUE(has(fault_of(tiled(16000, 16000)), "tiles of 16000x16000 pixels are too large"));
   EXPECT_TRUE(has(fault_of(exr(window(64, 64) + attribute("chunkCount", "int", little(0x7FFFFFFF, 4)))), "chunks"));
