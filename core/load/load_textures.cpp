@@ -12,6 +12,7 @@
 #include "core/image/mip_levels.h"
 #include "core/image/srgb.h"
 #include "core/load/mesh_data.h"
+#include "core/load/texture_texels.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
@@ -50,47 +51,6 @@ using Key = std::tuple<std::string, bool, char, float, float>;
 Key key_of(const TextureMap& map) {
   const bool holes = map.kind == MapKind::holes;
   return {map.path.string(), holes, map.channel, holes ? map.base : 0, holes ? map.gain : 0};
-}
-
-uint32_t byte_of(uint32_t texel, int i) { return texel >> 8 * i & 255; }
-
-uint32_t channel_of(uint32_t texel, char channel) {
-  switch (channel) {
-    case 'r': return byte_of(texel, 0);
-    case 'g': return byte_of(texel, 1);
-    case 'b': return byte_of(texel, 2);
-    case 'm': return byte_of(texel, 3);
-  }
-  return (byte_of(texel, 0) + byte_of(texel, 1) + byte_of(texel, 2) + 1) / 3;
-}
-
-/// Stores each texel's opacity, as map_d gives it, in its alpha.
-void make_opacity(TexelImage& image, const TextureMap& map) {
-  const auto see_through = [](uint32_t texel) { return texel >> 24 != 255; };
-  const bool by_alpha = std::any_of(image.texels.begin(), image.texels.end(), see_through);
-  const char channel = map.channel ? map.channel : by_alpha ? 'm' : 'l';
-  for (uint32_t& texel : image.texels) {
-    const float opacity = map.base + map.gain * static_cast<float>(channel_of(texel, channel)) / 255;
-    texel = 0xFFFFFFu | static_cast<uint32_t>(std::clamp(opacity, 0.f, 1.f) * 255 + 0.5f) << 24;
-  }
-}
-
-constexpr int kCheckerSide_px = 64;
-
-/// A checker of eight by eight squares, with its levels; returns how many.
-int draw_checker(std::span<uint32_t> words) {
-  for (int y = 0; y < kCheckerSide_px; ++y)
-    for (int x = 0; x < kCheckerSide_px; ++x)
-      words[static_cast<size_t>(y * kCheckerSide_px + x)] = (x / 8 + y / 8) % 2 ? 0xFFFF00FFu : 0xFF404040u;
-  return fill_mip_levels(words, kCheckerSide_px, kCheckerSide_px);
-}
-
-/// An alpha of 0 in every texel is a channel that nobody filled in.
-bool drop_zero_alpha(TexelImage& image) {
-  if (std::any_of(image.texels.begin(), image.texels.end(), [](uint32_t texel) { return texel >> 24 != 0; }))
-    return false;
-  for (uint32_t& texel : image.texels) texel |= 0xFF000000u;
-  return true;
 }
 
 /// Makes what is read into what the image's map uses, in its place among the words.
