@@ -18,7 +18,8 @@ Camera still_camera(const RenderOptions& o, UpAxis up_axis, const dvec3& middle,
   if (o.up) still.up = y_up_from_files(up_axis, *o.up);
   if (still.eye_world == still.target_world)
     throw error(ErrorKind::usage, "--eye and --target are the same point; move one of them");
-  if (up_is_along_view(still)) warnings.push_back("the camera looks along its up direction; another up is used");
+  if (up_is_along_view(still))
+    warnings.emplace_back(WarningCode::up_along_view, "the camera looks along its up direction; another up is used");
   return still;
 }
 
@@ -39,9 +40,11 @@ void require_one_camera(const RenderOptions& o) {
 void warn_of_stray(const Scene& scene, const Framing& framing, Warnings& warnings) {
   if (framing.left_out == 0) return;
   const dvec3 p = scene.origin_world + dvec3(framing.an_outlier);
-  warnings.push_back(fmt::format(
-      "{} triangles lie far from all others (one at {:g}, {:g}, {:g}); the default camera does not frame them",
-      framing.left_out, p.x, p.y, p.z));
+  warnings.emplace_back(
+      WarningCode::triangles_astray,
+      fmt::format(
+          "{} triangles lie far from all others (one at {:g}, {:g}, {:g}); the default camera does not frame them",
+          framing.left_out, p.x, p.y, p.z));
 }
 
 /// A scene that lies flat across z was probably made where z points up.
@@ -50,7 +53,8 @@ void hint_at_up_axis(const RenderOptions& o, const SceneSource& source, const Aa
   if (o.up_axis || source.up_axis) return;
   const vec3 size = framed.extent();
   if (size.z > 0 && size.z < kThin * std::min(size.x, size.y))
-    warnings.push_back("the scene lies flat across its z axis; if z points up, say --up-axis z (else --up-axis y)");
+    warnings.emplace_back(WarningCode::up_axis_doubtful,
+                          "the scene lies flat across its z axis; if z points up, say --up-axis z (else --up-axis y)");
 }
 
 bool gives_lights(const RenderOptions& o, const SceneSource& source, const CameraCourse& course) {
@@ -82,7 +86,8 @@ void look_at_surroundings(const RenderOptions& o, const SceneSource& source, con
   chosen.caster = caster_of(job, pool);
   const World world{job.scene, job.topology, framed, *chosen.caster.caster};
   if (is_in_solid(world, eye))
-    warnings.push_back("the camera is inside a solid body, whose inside is all it sees; check --eye and --up-axis");
+    warnings.emplace_back(WarningCode::camera_in_body,
+                          "the camera is inside a solid body, whose inside is all it sees; check --eye and --up-axis");
   else if (!gives_lights(o, source, chosen.course) && is_in_closed_room(world, eye))
     chosen.surroundings = Surroundings::inside;
 }
@@ -105,7 +110,8 @@ ChosenCamera choose_camera(const RenderOptions& o, const SceneSource& source, co
     const DefaultView view =
         choose_default_view({job.scene, job.topology, framing.bounds, *chosen.caster.caster}, aspect, fov_y_rad);
     if (view.surroundings == Surroundings::inside)
-      warnings.push_back(
+      warnings.emplace_back(
+          WarningCode::camera_in_room,
           "the scene looks like a room, and the camera stands in it; --eye and --target place it elsewhere");
     chosen.surroundings = view.surroundings;
     chosen.course = view.orbit;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/standard_streams.h"
+#include "cli/warning_output.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 #include "core/base/run_files.h"
@@ -93,7 +93,7 @@ ExitCode compare(const CompareOptions& options) {
     const std::vector<unsigned char> bytes = encode_image(difference, options.diff);
     write_file_atomically(options.diff, std::as_bytes(std::span(bytes)));
   } else if (!options.diff.empty()) {
-    complain(fmt::format("warning: {} not written: {}", options.diff, result.reason));
+    warn({WarningCode::difference_unwritten, fmt::format("{} not written: {}", options.diff, result.reason)});
   }
 
   if (options.json)

@@ -8,6 +8,7 @@
 #include "cli/merge/merged_report.h"
 #include "cli/standard_streams.h"
 #include "cli/table_names.h"
+#include "cli/warning_output.h"
 #include "core/base/file_claims.h"
 #include "core/base/output_file.h"
 #include "core/render/timings_csv.h"
@@ -100,8 +101,9 @@ void print_text(const Joined& joined, const TableNames& names) {
 /// Frames that are there, but were written by a run that was killed before it wrote their rows.
 void warn_of_times(const Joined& joined, const TableNames& names) {
   if (joined.without_times.empty()) return;
-  complain(fmt::format("warning: {} lacks the times of frames {}, whose runs were killed before they wrote them",
-                       names.timings.string(), text_of_frames(joined.without_times)));
+  warn({WarningCode::times_missing,
+        fmt::format("{} lacks the times of frames {}, whose runs were killed before they wrote them",
+                    names.timings.string(), text_of_frames(joined.without_times))});
 }
 
 ExitCode merge(const MergeOptions& options) {

@@ -13,6 +13,7 @@
 #include "cli/simplify/simplify_output.h"
 #include "cli/simplify/simplify_report.h"
 #include "cli/standard_streams.h"
+#include "cli/warning_output.h"
 #include "core/load/mtl_writer.h"
 #include "core/load/obj_writer.h"
 #include "core/load/text_scan.h"
@@ -70,7 +71,7 @@ struct LoadedJob {
 };
 
 void tell(Warnings& warnings) {
-  for (const std::string& warning : warnings) complain("warning: " + warning);
+  for (const Warning& warning : warnings) warn(warning);
   warnings.clear();
 }
 

@@ -13,6 +13,7 @@
 #include "cli/sweep/presets.h"
 #include "cli/sweep/run_sweep.h"
 #include "cli/sweep/sweep_files.h"
+#include "cli/warning_output.h"
 #include "core/base/file_claims.h"
 
 namespace hybridrt::cli {
@@ -100,7 +101,7 @@ double require_quiet_machine(const SweepOptions& options) {
   if (options.settle_s > 0)
     throw error(ErrorKind::device, "{}, and --settle {} was not enough; stop them or try later", message,
                 options.settle_s);
-  complain("warning: " + message);
+  warn({WarningCode::machine_busy, message});
   return busy;
 }
 

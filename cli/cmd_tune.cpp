@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/standard_streams.h"
 #include "cli/tune/search.h"
+#include "cli/warning_output.h"
 #include "core/base/output_file.h"
 
 namespace hybridrt::cli {
@@ -84,7 +85,8 @@ Choice checked_choice(Trials& trials, const Goal& goal, const TuneOptions& optio
     const auto failed = std::find_if(frames.checked.begin(), frames.checked.end(), fails);
     if (failed == frames.checked.end()) return choice;
     if (round == kMostRounds) {
-      complain(fmt::format("warning: frame {} has a larger error; give --frames that are more alike", *failed));
+      warn({WarningCode::error_exceeded,
+            fmt::format("frame {} has a larger error; give --frames that are more alike", *failed)});
       return choice;
     }
     if (!options.quiet) say(fmt::format("hybridrt: frame {} needs more: trying again with it\n", *failed));

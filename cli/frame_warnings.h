@@ -1,8 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "core/base/warnings.h"
 #include "core/render/render_job.h"
 
 namespace hybridrt::cli {
@@ -14,6 +14,6 @@ struct FrameWarningsGiven {
 
 /// A warning for a frame that shows nothing, or in which no light arrives anywhere although there are lights; none for
 /// crops, which may well do so.
-std::optional<std::string> frame_warning(const Frame& frame, const RenderJob& job, FrameWarningsGiven& given);
+std::optional<Warning> frame_warning(const Frame& frame, const RenderJob& job, FrameWarningsGiven& given);
 
 }  // namespace hybridrt::cli

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "cli/warning_output.h"
 #include "core/base/shortest.h"
 
 namespace hybridrt::cli {
@@ -108,7 +109,7 @@ json inspection_json(const Inspection& in) {
       {"extent", array_of(hi - lo)},
       {"origin_world", array_of(scene.origin_world)},
       {"notes", scene.notes},
-      {"warnings", in.warnings},
+      {"warnings", json_of(in.warnings)},
       {"components", components_json(t)},
       {"edges",
        {{"count", t.edge_count},

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "cli/inspection.h"
+#include "cli/warning_output.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
 
@@ -68,7 +69,7 @@ std::string loaded_text(const Inspection& in) {
 
 std::string warnings_text(const Warnings& warnings) {
   std::string out = "\nrepaired or left out\n";
-  for (const std::string& warning : warnings) out += fmt::format("  - {}\n", in_one_line(warning));
+  for (const Warning& warning : warnings) out += fmt::format("  - {}\n", text_of(warning));
   return warnings.empty() ? out + "  nothing\n" : out;
 }
 

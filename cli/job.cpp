@@ -41,7 +41,7 @@ void set_settings(RenderJob& job, const RenderOptions& o, const SceneSource& sou
   job.motion.sequence = make_sequence(o, job.frames);
   const ChosenForms forms = choose_forms(o, job.settings);
   job.settings.forms = forms.forms, job.gl = forms.gl, job.forms_reason = forms.reason;
-  if (!forms.warning.empty()) warnings.push_back(forms.warning);
+  if (forms.warning) warnings.push_back(*forms.warning);
   job.shaders = o.shaders.empty() ? gl::embedded_shaders() : gl::load_shaders(o.shaders);
   job.most_bytes = o.most_bytes.value_or(allowed_memory());
 }

@@ -53,7 +53,8 @@ LightMotion choose_lights(const RenderOptions& o, const SceneSource& source, con
   LightMotion motion;
   motion.lights = still_lights(o, source, camera_at(camera, first), ambient, up_axis, surroundings);
   if (keyed && motion.lights.empty()) {
-    warnings.push_back("the camera path's keys move the first light, but the scene's list of lights is empty");
+    warnings.emplace_back(WarningCode::light_missing,
+                          "the camera path's keys move the first light, but the scene's list of lights is empty");
   } else if (keyed) {
     motion.lights[0].toward = *keyed;
     if (!source.lights) motion.lights[0].casts_shadow = true;

@@ -22,7 +22,7 @@ std::string device_for(const RenderOptions& o, const gl::ContextRequest& request
 
 /// A GPU if there is one that draws right, else the CPU.
 ChosenForms choose_by_machine(const RenderOptions& o) {
-  ChosenForms chosen{PassForms::cpu, o.gl, kNoGpu, ""};
+  ChosenForms chosen{PassForms::cpu, o.gl, kNoGpu};
   if (!gl::may_have_gpu()) return chosen;
   gl::Probes untold;
   gl::Probes& probes = o.probes ? *o.probes : untold;
@@ -33,10 +33,11 @@ ChosenForms choose_by_machine(const RenderOptions& o) {
   } else if (!found.failed.empty()) {
     chosen.reason = fmt::format("{}: {}", found.failed.front().id, found.failed.front().problem);
     if (!std::exchange(probes.told, true))
-      chosen.warning = fmt::format(
-          "the GPU cannot be used ({}); all passes run on the CPU; 'hybridrt doctor' tells more, "
-          "--gl off does not try",
-          chosen.reason);
+      chosen.warning.emplace(
+          WarningCode::gpu_unusable,
+          fmt::format("the GPU cannot be used ({}); all passes run on the CPU; 'hybridrt doctor' tells more, "
+                      "--gl off does not try",
+                      chosen.reason));
   }
   return chosen;
 }
@@ -44,7 +45,7 @@ ChosenForms choose_by_machine(const RenderOptions& o) {
 }  // namespace
 
 ChosenForms choose_forms(const RenderOptions& o, const RenderSettings& settings) {
-  ChosenForms chosen{PassForms::gl, o.gl, "", ""};
+  ChosenForms chosen{PassForms::gl, o.gl, ""};
   const bool asks_device = !o.gl.device.empty() || o.gl.require_hardware;
   const bool asks_gl = asks_device || !o.shaders.empty();
   if (o.gl_use == GlUse::off && asks_device)

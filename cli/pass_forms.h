@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/render_options.h"
+#include "core/base/warnings.h"
 
 namespace hybridrt::cli {
 
@@ -10,8 +12,8 @@ namespace hybridrt::cli {
 struct ChosenForms {
   PassForms forms = PassForms::gl;
   gl::ContextRequest gl;
-  std::string reason;   ///< a line for people; empty: nobody need be told
-  std::string warning;  ///< what is wrong with a GPU that is there; once per run
+  std::string reason;                ///< a line for people; empty: nobody need be told
+  std::optional<Warning> warning{};  ///< what is wrong with a GPU that is there; once per run
 };
 
 /// --device and --require-hardware imply a GL. Devices are tried in a child process (device_probe.h), unless

@@ -60,18 +60,19 @@ void claim_all(const OutputOptions& options, const RenderJob& job, OutputPaths& 
   const Answer answer = claim_frames(claims, paths.pattern, job.frames, aov_files(job, paths.pattern));
   require_free(answer == Answer::taken, pictures);
   if (answer == Answer::unknown)
-    warnings.push_back(
-        fmt::format("{} is on a file system without locks: another run that writes the same files "
-                    "would not be noticed",
-                    common_folder(paths.pattern).string()));
+    warnings.emplace_back(WarningCode::file_locks_missing,
+                          fmt::format("{} is on a file system without locks: another run that writes the same files "
+                                      "would not be noticed",
+                                      common_folder(paths.pattern).string()));
   if (!options.contact_sheet.empty()) require_free(is_taken(claims, options.contact_sheet), options.contact_sheet);
   if (!options.timings.empty()) require_free(is_taken(claims, options.timings), options.timings);
 
   if (!options.is_part && (is_taken(claims, paths.timings) || is_taken(claims, paths.report))) {
     const std::string usual = paths.report.string();
     name_tables(options, job, true, paths);
-    warnings.push_back(fmt::format("another run is writing {} or its timings; those of this run go to {}{}", usual,
-                                   paths.report.string(), options.timings.empty() ? " and " + paths.timings : ""));
+    warnings.emplace_back(WarningCode::tables_renamed,
+                          fmt::format("another run is writing {} or its timings; those of this run go to {}{}", usual,
+                                      paths.report.string(), options.timings.empty() ? " and " + paths.timings : ""));
   }
   require_free(is_taken(claims, paths.timings), paths.timings);
   require_free(is_taken(claims, paths.report), paths.report);

@@ -5,6 +5,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/status_signal.h"
+#include "cli/warning_output.h"
 #include "core/base/error.h"
 #include "core/base/output_file.h"
 
@@ -30,11 +31,14 @@ Reporter::Reporter(const OutputOptions& options, int64_t frames)
       progress_(frames, options.quiet || options.json) {}
 
 void Reporter::warnings(const Warnings& all) {
-  for (const std::string& warning : all)
-    if (json_)
-      emit({{"event", "warning"}, {"message", warning}});
-    else
-      progress_.say("hybridrt: warning: " + in_one_line(warning));
+  for (const Warning& warning : all)
+    if (json_) {
+      json event = {{"event", "warning"}};
+      event.update(json_of(warning));
+      emit(event);
+    } else {
+      progress_.say(line_of(warning));
+    }
 }
 
 void Reporter::notes(const std::vector<std::string>& all) {

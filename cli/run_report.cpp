@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 
 #include "cli/version.h"
+#include "cli/warning_output.h"
 #include "core/render/picture_files.h"
 
 namespace hybridrt::cli {
@@ -84,7 +85,7 @@ nlohmann::ordered_json run_report(const RenderOptions& options, const RenderJob&
   report["rendered_per_second"] = totals.rendered_per_second();
   report["written_per_second"] = totals.written_per_second();
   report["peak_memory_mib"] = peak_memory_mib();
-  report["warnings"] = warnings;
+  report["warnings"] = json_of(warnings);
   return report;
 }
 

@@ -63,8 +63,10 @@ std::optional<uint64_t> bytes_of_files(const Scene& scene) {
 
 void warn_of_what_is_not_geometry(const SceneSource& source, const fs::path& obj, Warnings& warnings) {
   if (source.document)
-    warnings.push_back(fmt::format("{} holds no lights, cameras and settings; name it under \"meshes\" in a copy of {}",
-                                   obj.filename().string(), fs::path(source.argument).filename().string()));
+    warnings.emplace_back(
+        WarningCode::scene_parts_lost,
+        fmt::format("{} holds no lights, cameras and settings; name it under \"meshes\" in a copy of {}",
+                    obj.filename().string(), fs::path(source.argument).filename().string()));
 }
 
 void require_room_to_simplify(const RenderJob& job, const SceneSource& source) {

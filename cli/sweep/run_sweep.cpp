@@ -8,10 +8,10 @@
 #include "cli/files_read.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "cli/standard_streams.h"
 #include "cli/sweep/facts_file.h"
 #include "cli/sweep/rows.h"
 #include "cli/sweep/sweep_files.h"
+#include "cli/warning_output.h"
 #include "core/base/memory.h"
 #include "core/image_io/encode_image.h"
 #include "core/render/memory_estimate.h"
@@ -107,8 +107,8 @@ class Sweep {
   }
 
   void tell(const Warnings& warnings) {
-    for (const std::string& warning : warnings)
-      if (told_.insert(warning).second) progress_.say("hybridrt: warning: " + in_one_line(warning));
+    for (const Warning& warning : warnings)
+      if (const std::string line = line_of(warning); told_.insert(line).second) progress_.say(line);
   }
 
   void fail(const SweepSetting& setting, const std::string& reason) {

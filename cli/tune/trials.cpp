@@ -7,6 +7,7 @@
 #include "cli/files_read.h"
 #include "cli/standard_streams.h"
 #include "cli/sweep/visit.h"
+#include "cli/warning_output.h"
 #include "core/base/error.h"
 
 namespace hybridrt::cli {
@@ -57,7 +58,7 @@ Trials::Trials(const RenderOptions& base, const Goal& goal, int truth_samples, b
   set_job(scene_, setting, *pool_, warnings);
   add_files_read(setting.options, *source_, files_);
   add_files_read(scene_.job.scene, files_);
-  for (const std::string& warning : warnings) complain("warning: " + in_one_line(warning));
+  for (const Warning& warning : warnings) warn(warning);
 }
 
 void Trials::set_frames(const std::vector<int>& frames) {

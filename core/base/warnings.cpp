@@ -25,11 +25,11 @@ std::string NameList::text() const {
   return fmt::format("{}", fmt::join(first_, ", ")) + (more > 0 ? fmt::format(" and {} more", more) : std::string());
 }
 
-void report(const Tally& tally, std::string_view what, const std::filesystem::path& file, Warnings& warnings,
-            std::string_view place) {
+void report(WarningCode code, const Tally& tally, std::string_view what, const std::filesystem::path& file,
+            Warnings& warnings, std::string_view place) {
   if (tally.count > 0)
-    warnings.push_back(fmt::format("{}: {} {} (first at {} {})", file.filename().string(), tally.count, what, place,
-                                   tally.first_line));
+    warnings.emplace_back(code, fmt::format("{}: {} {} (first at {} {})", file.filename().string(), tally.count, what,
+                                            place, tally.first_line));
 }
 
 }  // namespace hybridrt

@@ -5,13 +5,25 @@
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
+
+#include "core/base/warning_code.h"
 
 namespace hybridrt {
 
-/// Things that were repaired or left out, one sentence each, with the number of cases ("12 faces …"). Functions that
-/// can go on in spite of a fault append to them; the command line prints them.
-using Warnings = std::vector<std::string>;
+/// Something that was repaired or left out: one sentence, with the number of cases ("12 faces …"). There is none
+/// without a code.
+struct Warning {
+  Warning(WarningCode kind, std::string sentence) : code(kind), text(std::move(sentence)) {}
+  bool operator==(const Warning&) const = default;
+
+  WarningCode code;
+  std::string text;
+};
+
+/// Functions that can go on in spite of a fault append to them; the command line prints them.
+using Warnings = std::vector<Warning>;
 
 /// `text` for messages: in single quotes, shortened, without control characters.
 std::string in_quotes(std::string_view text);
@@ -39,7 +51,7 @@ class NameList {
 };
 
 /// "sports.obj: 57 triangles of zero area were left out (first at line 1234)", unless there were none.
-void report(const Tally& tally, std::string_view what, const std::filesystem::path& file, Warnings& warnings,
-            std::string_view place = "line");
+void report(WarningCode code, const Tally& tally, std::string_view what, const std::filesystem::path& file,
+            Warnings& warnings, std::string_view place = "line");
 
 }  // namespace hybridrt

@@ -56,8 +56,10 @@ void leave_out_degenerate(MeshData& mesh, std::span<const vec3> positions, Threa
     if (faults[i] == Fault::repeated_vertex) repeated.add(mesh.triangle_places[i]);
     if (faults[i] == Fault::no_area) flat.add(mesh.triangle_places[i]);
   }
-  report(repeated, "triangles that repeat a vertex were left out", mesh.path, warnings, mesh.place);
-  report(flat, "triangles of zero area were left out", mesh.path, warnings, mesh.place);
+  report(WarningCode::triangle_degenerate, repeated, "triangles that repeat a vertex were left out", mesh.path,
+         warnings, mesh.place);
+  report(WarningCode::triangle_degenerate, flat, "triangles of zero area were left out", mesh.path, warnings,
+         mesh.place);
   if (repeated.count + flat.count == 0) return;
   keep_good(mesh.triangle_positions, faults);
   keep_good(mesh.triangle_normals, faults);
@@ -104,8 +106,8 @@ void take_normals(MeshData& mesh, Scene& scene, Warnings& warnings) {
     }
   for (vec3& normal : mesh.normals)
     if (normal == vec3(0)) normal = vec3(0, 1, 0);  // no corner uses it any more; keeps the others' indices
-  report(bad, "corners had a zero or unreadable normal, rebuilt from the faces around", mesh.path, warnings,
-         mesh.place);
+  report(WarningCode::normal_unusable, bad, "corners had a zero or unreadable normal, rebuilt from the faces around",
+         mesh.path, warnings, mesh.place);
   append(scene.normals, std::move(mesh.normals));
   append(scene.triangle_normals, std::move(mesh.triangle_normals));
 }
@@ -145,10 +147,13 @@ void take_materials(LoadedMesh& loaded, Scene& scene, Warnings& warnings) {
   if (mesh.material_names.size() == 1 && !loaded.library.empty()) {
     const bool only = loaded.library.size() == 1;
     if (only) meaning[0] = first;
-    warnings.push_back(fmt::format(
-        "{}: no usemtl, so {}", mesh.path.filename().string(),
-        only ? fmt::format("the one material of its MTL, {}, is used for all of it", in_quotes(loaded.library[0].name))
-             : fmt::format("none of the {} materials of its MTL is used; drawn as default", loaded.library.size())));
+    warnings.emplace_back(
+        WarningCode::material_unnamed,
+        fmt::format("{}: no usemtl, so {}", mesh.path.filename().string(),
+                    only ? fmt::format("the one material of its MTL, {}, is used for all of it",
+                                       in_quotes(loaded.library[0].name))
+                         : fmt::format("none of the {} materials of its MTL is used; drawn as default",
+                                       loaded.library.size())));
   }
 
   Tally unknown;
@@ -160,7 +165,7 @@ void take_materials(LoadedMesh& loaded, Scene& scene, Warnings& warnings) {
     unknown.add(mesh.triangle_places[i]);
   }
   if (unknown.count > 0)
-    report(unknown,
+    report(WarningCode::material_unknown, unknown,
            fmt::format("triangles use materials that no MTL file defines ({}) and are drawn as default",
                        in_quotes(mesh.material_names[first_unknown])),
            mesh.path, warnings, mesh.place);

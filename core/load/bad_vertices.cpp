@@ -41,8 +41,9 @@ const BadVertex* settle_bad_vertices(MeshData& mesh, std::span<const BadVertex> 
     left_out.add(vertex.place);
   }
   const char* place = mesh.place == std::string_view("line") ? "line" : "vertex";
-  report(left_out, "vertices are NaN, infinite or not below 1e30 and were left out, as no face uses them", mesh.path,
-         warnings, place);
+  report(WarningCode::vertex_unusable, left_out,
+         "vertices are NaN, infinite or not below 1e30 and were left out, as no face uses them", mesh.path, warnings,
+         place);
   return nullptr;
 }
 

@@ -51,8 +51,10 @@ CameraPath parse_keyframes(const JsonPlace& keyframes, UpAxis up_axis, Warnings&
   }
   if (path.keys.empty()) keyframes.fail("there are no keys; give at least one");
   if (useless_ups > 0)
-    warnings.push_back(fmt::format("{}: {} keys look along their up direction (first: frame {:g}); another up is used",
-                                   keyframes.where(), useless_ups, first_useless));
+    warnings.emplace_back(
+        WarningCode::up_along_view,
+        fmt::format("{}: {} keys look along their up direction (first: frame {:g}); another up is used",
+                    keyframes.where(), useless_ups, first_useless));
   return path;
 }
 
@@ -79,7 +81,8 @@ Camera parse_camera(const JsonPlace& place, UpAxis up_axis, Warnings& warnings) 
   place.only({"eye", "target", "up", "fov_y_deg"});
   const Camera camera = parse_view(place, up_axis);
   if (up_is_along_view(camera))
-    warnings.push_back(place.where() + ": the camera looks along its up direction; another up is used");
+    warnings.emplace_back(WarningCode::up_along_view,
+                          place.where() + ": the camera looks along its up direction; another up is used");
   return camera;
 }
 

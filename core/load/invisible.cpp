@@ -43,13 +43,15 @@ void report_invisible(const Scene& scene, Warnings& warnings) {
     const char* reason = triangles[i] > 0 ? reason_of(scene, scene.materials[i]) : nullptr;
     if (!reason) continue;
     if (told++ < kMostTold)
-      warnings.push_back(fmt::format(
-          "material {}: all its {} triangles are invisible ({}); what is opaque goes into \"opaque\" of a scene JSON",
-          in_quotes(scene.materials[i].name), triangles[i], reason));
+      warnings.emplace_back(WarningCode::material_invisible,
+                            fmt::format("material {}: all its {} triangles are invisible ({}); what is opaque goes "
+                                        "into \"opaque\" of a scene JSON",
+                                        in_quotes(scene.materials[i].name), triangles[i], reason));
     else
       ++more;
   }
-  if (more > 0) warnings.push_back(fmt::format("{} more materials are invisible", more));
+  if (more > 0)
+    warnings.emplace_back(WarningCode::material_invisible, fmt::format("{} more materials are invisible", more));
 }
 
 }  // namespace hybridrt

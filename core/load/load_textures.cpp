@@ -160,12 +160,15 @@ class Loader {
     });
     for (TextureImage& image : images_) report(image);
     if (unreadable_ > 0)
-      warnings_.push_back(
+      warnings_.emplace_back(
+          WarningCode::texture_unusable,
           fmt::format("{} textures cannot be used: map_Kd becomes a checker, others are left out (first: {})",
                       unreadable_, first_failure_));
     if (zero_alpha_.count() > 0)
-      warnings_.push_back(fmt::format("{} textures have an alpha of 0 in every texel, which was taken as opaque ({})",
-                                      zero_alpha_.count(), zero_alpha_.text()));
+      warnings_.emplace_back(
+          WarningCode::texture_without_alpha,
+          fmt::format("{} textures have an alpha of 0 in every texel, which was taken as opaque ({})",
+                      zero_alpha_.count(), zero_alpha_.text()));
   }
 
   void read(TextureImage& image) {
@@ -274,8 +277,10 @@ class Loader {
         if (corners[corner] == kNoIndex) corners[corner] = zero;
     }
     if (without > 0)
-      warnings_.push_back(fmt::format(
-          "{} triangles have a texture but not all of their texture coordinates, which count as 0", without));
+      warnings_.emplace_back(
+          WarningCode::texcoord_missing,
+          fmt::format("{} triangles have a texture but not all of their texture coordinates, which count as 0",
+                      without));
   }
 
   Scene& scene_;

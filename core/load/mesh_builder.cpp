@@ -79,12 +79,14 @@ MeshData MeshBuilder::finish(Warnings& warnings) {
                 data.path.string(), bad->vertex,
                 data.place == std::string_view("line") ? fmt::format(" (line {})", bad->place) : std::string(),
                 fault_of_position(data.positions[bad->vertex]));
-  report(small_, "faces of fewer than three corners were left out", data.path, warnings, data.place);
-  report(tangled_, "polygons cross themselves or have no area and were cut as they came", data.path, warnings,
+  report(WarningCode::face_too_small, small_, "faces of fewer than three corners were left out", data.path, warnings,
          data.place);
-  report(bad_texcoords_, "texture coordinates are not usable numbers and were set to 0", data.path, warnings,
-         data.place);
-  report(alphas_, "colours have an alpha below 1, which is not read", data.path, warnings, data.place);
+  report(WarningCode::polygon_tangled, tangled_, "polygons cross themselves or have no area and were cut as they came",
+         data.path, warnings, data.place);
+  report(WarningCode::texcoord_unusable, bad_texcoords_, "texture coordinates are not usable numbers and were set to 0",
+         data.path, warnings, data.place);
+  report(WarningCode::color_alpha_unread, alphas_, "colours have an alpha below 1, which is not read", data.path,
+         warnings, data.place);
   if (data.triangle_texcoords.empty() && data.texcoords.size() == data.positions.size())
     data.triangle_texcoords = data.triangle_positions;
   add_face_colors(data, std::move(face_colors), triangle_face_colors_, face_color_full, warnings);

@@ -81,8 +81,9 @@ void add_face_colors(MeshData& mesh, std::vector<vec3>&& of_faces, const std::ve
   if (of_faces.empty() || triangles.empty()) return;
   if (!mesh.colors.empty() && !has_plain_colors(mesh.colors, mesh.color_full)) {
     if (!has_plain_colors(of_faces, full))
-      warnings.push_back(mesh.path.filename().string() +
-                         ": the colours of its faces were left out, since its vertices have colours");
+      warnings.emplace_back(
+          WarningCode::color_ignored,
+          mesh.path.filename().string() + ": the colours of its faces were left out, since its vertices have colours");
     return;
   }
   mesh.colors = std::move(of_faces);
@@ -101,13 +102,15 @@ void take_colors(MeshData& mesh, size_t first_triangle, uint32_t first_vertex, b
                  uint32_t& colored_material, Warnings& warnings) {
   if (mesh.colors.empty()) return;
   const bool of_vertices = mesh.triangle_colors.empty();
-  const auto tell = [&](std::vector<std::string>& where, const std::string& what) {
-    where.push_back(fmt::format("{}: the colours of its {} {}", mesh.path.filename().string(),
-                                of_vertices ? "vertices" : "faces", what));
+  const auto text = [&](const std::string& what) {
+    return fmt::format("{}: the colours of its {} {}", mesh.path.filename().string(),
+                       of_vertices ? "vertices" : "faces", what);
   };
+  const auto note = [&](const std::string& what) { scene.notes.push_back(text(what)); };
+  const auto warn = [&](const std::string& what) { warnings.emplace_back(WarningCode::color_ignored, text(what)); };
   const float full = full_brightness(mesh.colors, mesh.color_full);
-  if (all_are(mesh.colors, false, full)) return tell(warnings, "are all black and were left out");
-  if (all_are(mesh.colors, true, full)) return tell(scene.notes, "are all white and change nothing");
+  if (all_are(mesh.colors, false, full)) return warn("are all black and were left out");
+  if (all_are(mesh.colors, true, full)) return note("are all white and change nothing");
 
   const size_t before = scene.colors.size();
   if (scene.colors.empty()) scene.colors.push_back(vec3(1));
@@ -138,12 +141,12 @@ void take_colors(MeshData& mesh, size_t first_triangle, uint32_t first_vertex, b
   if (uses.alone + uses.with_kd == 0) {
     scene.triangle_colors.resize(before == 0 ? 0 : scene.triangle_count());
     scene.colors.resize(before);
-    return tell(warnings, "were left out: its triangles have a map_Kd");
+    return warn("were left out: its triangles have a map_Kd");
   }
   make_linear(mesh.colors, full, linear);
   scene.colors.insert(scene.colors.end(), mesh.colors.begin(), mesh.colors.end());
-  tell(uses.with_map > 0 ? warnings : scene.notes,
-       fmt::format("({}, 0 to {:g}) {}", linear ? "linear" : "sRGB", full, text_of(uses)));
+  const std::string what = fmt::format("({}, 0 to {:g}) {}", linear ? "linear" : "sRGB", full, text_of(uses));
+  uses.with_map > 0 ? warn(what) : note(what);
 }
 
 }  // namespace hybridrt

@@ -157,20 +157,26 @@ void finish_material(Reading& reading, const MaterialKinds& kinds, Tallies& tall
 
 void report_tallies(const Tallies& tallies, const TextureFinds& files, const std::filesystem::path& path,
                     Warnings& warnings) {
-  report(tallies.unread_kinds, "texture maps (bump, disp and others) are not read yet", path, warnings);
+  report(WarningCode::map_unread, tallies.unread_kinds, "texture maps (bump, disp and others) are not read yet", path,
+         warnings);
   files.report(path, warnings);
-  report(tallies.foreign_colors, "colours are given as spectral or xyz, which are not read", path, warnings);
-  report(tallies.bad_ni, "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
-  report(tallies.bad_illum, "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);
-  const auto told = [&](const NameList& names, const char* what, const char* to_do) {
+  report(WarningCode::material_color_unread, tallies.foreign_colors,
+         "colours are given as spectral or xyz, which are not read", path, warnings);
+  report(WarningCode::material_value_unusable, tallies.bad_ni,
+         "indices of refraction (Ni) are not above 0 and were set to 1", path, warnings);
+  report(WarningCode::material_value_unusable, tallies.bad_illum,
+         "illumination models (illum) are not 0 to 10 and were set to 2", path, warnings);
+  const auto told = [&](WarningCode code, const NameList& names, const char* what, const char* to_do) {
     if (names.count() > 0)
-      warnings.push_back(fmt::format("{}: {} materials {} ({}); {}", path.filename().string(), names.count(), what,
-                                     names.text(), to_do));
+      warnings.emplace_back(code, fmt::format("{}: {} materials {} ({}); {}", path.filename().string(), names.count(),
+                                              what, names.text(), to_do));
   };
-  told(tallies.large_colors, "have a Kd or Ks far above 1: colours of 0 to 255?", "divide them by 255");
+  told(WarningCode::material_color_large, tallies.large_colors, "have a Kd or Ks far above 1: colours of 0 to 255?",
+       "divide them by 255");
   const char* const name_glass = "name those that are glass under \"glass\" in a scene JSON";
-  told(tallies.illum_ignored, "say illum 4 or 9 but have a colour and no Tf below 1, and are drawn opaque", name_glass);
-  told(tallies.tr_ignored, "say Tr 1 and no d, and are drawn opaque", name_glass);
+  told(WarningCode::material_drawn_opaque, tallies.illum_ignored,
+       "say illum 4 or 9 but have a colour and no Tf below 1, and are drawn opaque", name_glass);
+  told(WarningCode::material_drawn_opaque, tallies.tr_ignored, "say Tr 1 and no d, and are drawn opaque", name_glass);
 }
 
 }  // namespace

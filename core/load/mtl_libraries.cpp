@@ -77,12 +77,15 @@ std::vector<Material> read_libraries(const fs::path& folder, const std::vector<s
     files.push_back(path.string());
   }
   if (!found.missing.empty())
-    warnings.push_back(fmt::format("{} material files are missing (first: {}); their materials are drawn as default",
-                                   found.missing.size(), in_quotes(found.missing.front())));
+    warnings.emplace_back(WarningCode::material_file_missing,
+                          fmt::format("{} material files are missing (first: {}); their materials are drawn as default",
+                                      found.missing.size(), in_quotes(found.missing.front())));
   if (found.moved.count() > 0)
-    warnings.push_back(fmt::format(
-        "{} material files are not there as written; found by case, decoding or their last part ({}; first as {})",
-        found.moved.count(), found.moved.text(), found.first_moved_to));
+    warnings.emplace_back(
+        WarningCode::material_file_moved,
+        fmt::format(
+            "{} material files are not there as written; found by case, decoding or their last part ({}; first as {})",
+            found.moved.count(), found.moved.text(), found.first_moved_to));
 
   std::unordered_set<std::string> names;
   const auto repeated = [&](const Material& material) { return !names.insert(material.name).second; };
@@ -90,8 +93,9 @@ std::vector<Material> read_libraries(const fs::path& folder, const std::vector<s
   const auto end = std::remove_if(materials.begin(), materials.end(), repeated);
   materials.erase(end, materials.end());
   if (materials.size() < before)
-    warnings.push_back(fmt::format("{} materials are defined again under a name that was taken; the first counts",
-                                   before - materials.size()));
+    warnings.emplace_back(WarningCode::material_repeated,
+                          fmt::format("{} materials are defined again under a name that was taken; the first counts",
+                                      before - materials.size()));
   return materials;
 }
 

@@ -97,8 +97,9 @@ void warn_of_lost_materials(std::span<const Material> materials, const fs::path&
   for (size_t i = 0; i < materials.size(); ++i)
     if (i >= read.size() || !same_material(materials[i], read[i])) lost.add(materials[i].name);
   if (lost.count() > 0)
-    warnings.push_back(fmt::format("{}: {} materials are not quite what they were ({}): MTL cannot say it",
-                                   path.filename().string(), lost.count(), lost.text()));
+    warnings.emplace_back(WarningCode::material_changed,
+                          fmt::format("{}: {} materials are not quite what they were ({}): MTL cannot say it",
+                                      path.filename().string(), lost.count(), lost.text()));
 }
 
 }  // namespace hybridrt

@@ -157,19 +157,21 @@ void Joined::append_colors(const std::vector<ObjChunk>& chunks) {
 /// Colours of `v` lines go before those of #MRGB comments.
 void Joined::take_polypaint(Warnings& warnings) {
   const std::string file = data_.path.filename().string();
-  report(bad_colors_, "vertices have colours that are not three usable numbers, which were left out", data_.path,
-         warnings);
-  report(bad_polypaint_, "lines #MRGB do not hold eight hexadecimal digits a vertex, and were read up to there",
-         data_.path, warnings);
+  report(WarningCode::color_unusable, bad_colors_,
+         "vertices have colours that are not three usable numbers, which were left out", data_.path, warnings);
+  report(WarningCode::color_unusable, bad_polypaint_,
+         "lines #MRGB do not hold eight hexadecimal digits a vertex, and were read up to there", data_.path, warnings);
   if (polypaint_.empty()) return;
   if (!data_.colors.empty()) {
-    warnings.push_back(file + ": its #MRGB colours were left out, since its v lines have colours");
+    warnings.emplace_back(WarningCode::color_ignored,
+                          file + ": its #MRGB colours were left out, since its v lines have colours");
     return;
   }
   const size_t vertices = data_.positions.size();
   if (polypaint_.size() != vertices)
-    warnings.push_back(fmt::format("{}: #MRGB gives {} colours for {} vertices; they are taken in order", file,
-                                   polypaint_.size(), vertices));
+    warnings.emplace_back(WarningCode::color_miscounted,
+                          fmt::format("{}: #MRGB gives {} colours for {} vertices; they are taken in order", file,
+                                      polypaint_.size(), vertices));
   data_.color_full = 255;
   for (const uint32_t color : std::span(polypaint_).first(std::min(vertices, polypaint_.size())))
     data_.colors.emplace_back(color >> 16 & 255, color >> 8 & 255, color & 255);
@@ -251,12 +253,15 @@ MeshData Joined::finish(const ObjCounts& counts, Warnings& warnings) {
     throw error(ErrorKind::input, "{}:{}: vertex {}: {}, and a face uses it; fix that line or export the mesh again",
                 path.string(), bad->place, bad->vertex + 1, fault_of_position(data_.positions[bad->vertex]));
 
-  report(small_faces_, "faces of fewer than three corners were left out", path, warnings);
-  report(unread_texcoords_, "texture coordinates are not usable numbers and were set to 0", path, warnings);
-  report(bad_texcoords_, "texture coordinate indices lead nowhere and were left out", path, warnings);
-  report(bad_normals_, "normal indices lead nowhere and were left out", path, warnings);
-  report(unknown_, "lines of an unknown kind were left out", path, warnings);
-  report(tangled_, "polygons cross themselves or have no area and were cut as they came", path, warnings);
+  report(WarningCode::face_too_small, small_faces_, "faces of fewer than three corners were left out", path, warnings);
+  report(WarningCode::texcoord_unusable, unread_texcoords_,
+         "texture coordinates are not usable numbers and were set to 0", path, warnings);
+  report(WarningCode::texcoord_astray, bad_texcoords_, "texture coordinate indices lead nowhere and were left out",
+         path, warnings);
+  report(WarningCode::normal_astray, bad_normals_, "normal indices lead nowhere and were left out", path, warnings);
+  report(WarningCode::line_unknown, unknown_, "lines of an unknown kind were left out", path, warnings);
+  report(WarningCode::polygon_tangled, tangled_, "polygons cross themselves or have no area and were cut as they came",
+         path, warnings);
   take_polypaint(warnings);
   return std::move(data_);
 }

@@ -60,8 +60,10 @@ void add_extras(const OffColumns& columns, const OffExtras& extras, MeshBuilder&
   const bool has_colors = columns.color_count == 3 || columns.color_count == 4;
   const std::string file = mesh.data.path.filename().string();
   if (columns.color_count > 0 && !has_colors)
-    warnings.push_back(fmt::format("{}: its vertices have colours of {} numbers, not three or four; they were left out",
-                                   file, columns.color_count));
+    warnings.emplace_back(
+        WarningCode::color_ignored,
+        fmt::format("{}: its vertices have colours of {} numbers, not three or four; they were left out", file,
+                    columns.color_count));
   if (!columns.has_normals && !has_colors) return;
   size_t see_through = 0;
   for (size_t at = 0; at < extras.numbers.size(); at += extras.per_vertex) {
@@ -72,7 +74,8 @@ void add_extras(const OffColumns& columns, const OffExtras& extras, MeshBuilder&
     if (columns.color_count == 4) see_through += c[3] < 1;
   }
   if (see_through > 0)
-    warnings.push_back(
+    warnings.emplace_back(
+        WarningCode::color_alpha_unread,
         fmt::format("{}: {} vertices have a colour with an alpha below 1, which is not read", file, see_through));
 }
 
@@ -113,9 +116,11 @@ MeshData read_off(const std::filesystem::path& path, Warnings& warnings) {
   add_extras(find_columns(header, extras), extras, mesh, warnings);
   Tally unread_colors;
   read_faces(lines, header, mesh, unread_colors);
-  report(unread_colors, "faces have colours that are not three or four numbers, and were left out", path, warnings);
+  report(WarningCode::color_unusable, unread_colors,
+         "faces have colours that are not three or four numbers, and were left out", path, warnings);
   if (header.texture)
-    warnings.push_back(path.filename().string() + ": texture coordinates were left out: OFF names no texture");
+    warnings.emplace_back(WarningCode::texcoord_unread,
+                          path.filename().string() + ": texture coordinates were left out: OFF names no texture");
   return mesh.finish(warnings);
 }
 

@@ -51,12 +51,12 @@ class Walk {
       fail("it has no faces");
     const unsigned char end[] = {end_mark << 2, 0};
     file_.bytes.append(reinterpret_cast<const char*>(end), sizeof end);
-    const auto tell = [&](size_t count, const char* what) {
-      if (count > 0) warnings_.push_back(fmt::format("{}: {} were left out", path_.filename().string(), what));
+    const auto tell = [&](WarningCode code, size_t count, const char* what) {
+      if (count > 0) warnings_.emplace_back(code, fmt::format("{}: {} were left out", path_.filename().string(), what));
     };
-    tell(texcoords_, "texture coordinates (OM names no texture)");
-    tell(customs_, "properties of the program that wrote it");
-    tell(others_, "status bits, normals of faces and the like");
+    tell(WarningCode::texcoord_unread, texcoords_, "texture coordinates (OM names no texture)");
+    tell(WarningCode::data_unread, customs_, "properties of the program that wrote it");
+    tell(WarningCode::data_unread, others_, "status bits, normals of faces and the like");
     return std::move(file_);
   }
 

@@ -82,8 +82,9 @@ PlyVertexLayout vertex_layout(const PlyElement& element, bool textured, const st
   layout.color = find_color(element);
   layout.has_color = layout.color.complete();
   if (layout.color.any() && !layout.has_color)
-    warnings.push_back(path.filename().string() +
-                       ": vertex colours are ignored: not all of red, green, blue are there");
+    warnings.emplace_back(
+        WarningCode::color_ignored,
+        path.filename().string() + ": vertex colours are ignored: not all of red, green, blue are there");
   for (int i = 0; i < 3 && layout.has_color; ++i) take(layout.color.channels[static_cast<size_t>(i)], Layout::kRed + i);
   layout.has_alpha = layout.has_color && take(layout.color.alpha, Layout::kAlpha);
   const std::array<int, 2> texcoord = find_texcoord(element);

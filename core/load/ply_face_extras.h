@@ -19,8 +19,9 @@ class FaceExtrasReader {
     if (!texture_materials.empty() && has_corner_texcoords(element)) texcoord_ = element.find("texcoord");
     color_ = find_color(element);
     if (color_.any() && !color_.complete())
-      warnings.push_back(mesh.data.path.filename().string() +
-                         ": face colours are ignored: not all of red, green, blue are there");
+      warnings.emplace_back(
+          WarningCode::color_ignored,
+          mesh.data.path.filename().string() + ": face colours are ignored: not all of red, green, blue are there");
     if (color_.complete())
       mesh.face_color_full = color_.full;
     else
@@ -65,8 +66,9 @@ class FaceExtrasReader {
   }
 
   void report_unknown(Warnings& warnings) const {
-    hybridrt::report(unknown_textures_, "faces have a texnumber that no TextureFile comment has, and no texture",
-                     mesh_.data.path, warnings, mesh_.data.place);
+    hybridrt::report(WarningCode::texture_unknown, unknown_textures_,
+                     "faces have a texnumber that no TextureFile comment has, and no texture", mesh_.data.path,
+                     warnings, mesh_.data.place);
   }
 
  private:

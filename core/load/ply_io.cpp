@@ -177,8 +177,9 @@ void read_elements(Values& values, const PlyHeader& header, MeshBuilder& mesh, W
       read_tristrips(values, element, vertices, texture_materials, mesh);
     } else {
       if (element.name.find("texture") != std::string::npos || element.name.find("material") != std::string::npos)
-        warnings.push_back(fmt::format("{}: its elements {} are not read", mesh.data.path.filename().string(),
-                                       in_quotes(element.name)));
+        warnings.emplace_back(WarningCode::data_unread,
+                              fmt::format("{}: its elements {} are not read", mesh.data.path.filename().string(),
+                                          in_quotes(element.name)));
       for (uint64_t i = 0; i < element.count; ++i) {
         values.begin(element, i);
         for (const PlyProperty& property : element.properties) skip(values, property, mesh, i);

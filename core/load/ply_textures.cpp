@@ -32,10 +32,12 @@ std::vector<uint32_t> use_textures(const PlyHeader& header, MeshData& mesh, Warn
   const std::string file = mesh.path.filename().string();
   const bool has_coordinates = has_texcoords(header);
   if (header.textures.empty() && has_coordinates)
-    warnings.push_back(file + ": texture coordinates were left out: no comment TextureFile names a texture");
+    warnings.emplace_back(WarningCode::texcoord_unread,
+                          file + ": texture coordinates were left out: no comment TextureFile names a texture");
   if (!header.textures.empty() && !has_coordinates)
-    warnings.push_back(fmt::format("{}: the texture {} was left out: there are no texture coordinates", file,
-                                   in_quotes(header.textures[0].name)));
+    warnings.emplace_back(WarningCode::texture_without_texcoords,
+                          fmt::format("{}: the texture {} was left out: there are no texture coordinates", file,
+                                      in_quotes(header.textures[0].name)));
   if (header.textures.empty() || !has_coordinates) return {};
 
   TextureFinds finds({mesh.path.parent_path()});

@@ -61,7 +61,8 @@ void take_stl_colors(std::string_view header, const std::vector<uint16_t>& attri
   mesh.color_full = kFull;
   if (mesh.colors.empty()) mesh.triangle_colors.clear();
   if (object && !object->opaque)
-    warnings.push_back(mesh.path.filename().string() + ": the alpha of its colour is not read");
+    warnings.emplace_back(WarningCode::color_alpha_unread,
+                          mesh.path.filename().string() + ": the alpha of its colour is not read");
 }
 
 }  // namespace hybridrt

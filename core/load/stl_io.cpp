@@ -54,8 +54,9 @@ class FacetBuilder {
   MeshData finish(Warnings& warnings) {
     if (bad_.count > 0 && mesh_.data.faces == 0)
       mesh_.fail(bad_.first_line, first_fault_ + ", and no other facet is left; export the mesh again");
-    report(bad_, "facets with a corner that is NaN, infinite or not below 1e30 were left out", mesh_.data.path,
-           warnings, mesh_.data.place);
+    report(WarningCode::vertex_unusable, bad_,
+           "facets with a corner that is NaN, infinite or not below 1e30 were left out", mesh_.data.path, warnings,
+           mesh_.data.place);
     return mesh_.finish(warnings);
   }
 
@@ -103,7 +104,8 @@ class TextFacets {
     }
     if (in_facet_) mesh_.fail(facet_line_, "cut short: this facet has no 'endfacet'");
     if (in_solid_) unended_.add(solid_line_);
-    report(unended_, "solids have no 'endsolid'; is the file cut short?", mesh_.data.path, warnings);
+    report(WarningCode::file_cut_short, unended_, "solids have no 'endsolid'; is the file cut short?", mesh_.data.path,
+           warnings);
     return facets_.finish(warnings);
   }
 
@@ -196,8 +198,9 @@ MeshData read_stl(const std::filesystem::path& path, Warnings& warnings) {
 
   uint64_t facets = promised;
   if ((promised == 0 || promised == kUnknownCount) && whole && there > 0) {
-    warnings.push_back(fmt::format("{}: its header promises {} facets, but its size is that of {}, which were read",
-                                   path.filename().string(), promised, there));
+    warnings.emplace_back(WarningCode::facets_miscounted,
+                          fmt::format("{}: its header promises {} facets, but its size is that of {}, which were read",
+                                      path.filename().string(), promised, there));
     facets = there;
   }
   if (facets > there || bytes < kHeaderBytes)
@@ -209,8 +212,8 @@ MeshData read_stl(const std::filesystem::path& path, Warnings& warnings) {
                 "{}: its header promises 0 facets, and its {} bytes are not whole facets either; export it again",
                 path.string(), bytes);
   if (const uint64_t more = bytes - kHeaderBytes - facets * kFacetBytes; more > 0)
-    warnings.push_back(
-        fmt::format("{}: {} bytes behind its {} facets were ignored", path.filename().string(), more, facets));
+    warnings.emplace_back(WarningCode::file_has_more, fmt::format("{}: {} bytes behind its {} facets were ignored",
+                                                                  path.filename().string(), more, facets));
   return read_binary(path, file, facets, warnings);
 }
 

@@ -17,12 +17,13 @@ const std::filesystem::path& TextureFinds::find(std::string_view name, size_t li
 }
 
 void TextureFinds::report(const std::filesystem::path& named_in, Warnings& warnings) const {
-  hybridrt::report(Tally{missing_.count(), first_missing_line_},
+  hybridrt::report(WarningCode::texture_missing, Tally{missing_.count(), first_missing_line_},
                    fmt::format("texture files are missing ({})", missing_.text()), named_in, warnings);
   if (moved_.count() > 0)
-    warnings.push_back(fmt::format(
-        "{}: {} texture names lead to no file as written; found by case, decoding or their last part ({}; first as {})",
-        named_in.filename().string(), moved_.count(), moved_.text(), first_moved_to_));
+    warnings.emplace_back(WarningCode::texture_moved,
+                          fmt::format("{}: {} texture names lead to no file as written; found by case, decoding or "
+                                      "their last part ({}; first as {})",
+                                      named_in.filename().string(), moved_.count(), moved_.text(), first_moved_to_));
 }
 
 }  // namespace hybridrt

@@ -166,7 +166,8 @@ void turn_inside_out_bodies(Scene& scene, Topology& topology, ThreadPool& pool, 
   const auto outward = std::count_if(bodies.begin(), bodies.end(), is_outward);
   const Component& first = topology.components[*std::find_if(bodies.begin(), bodies.end(), is_outward)];
   const size_t cavities = bodies.size() - static_cast<size_t>(outward);
-  warnings.push_back(
+  warnings.emplace_back(
+      WarningCode::body_turned,
       fmt::format("{} closed bodies were wound inward and are turned outward{} (first: {} triangles of material {})",
                   outward, cavities > 0 ? fmt::format(", {} cavities in them the other way", cavities) : "",
                   first.triangles, in_quotes(scene.material_of(first.first_triangle).name)));

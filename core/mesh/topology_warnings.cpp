@@ -22,17 +22,20 @@ void warn_of_open_refraction(const Scene& scene, const Topology& topology, Warni
     is_counted[component] = true;
   }
   if (triangles > 0)
-    warnings.push_back(fmt::format(
-        "{} triangles in {} open components refract (first: material {}), where inside and outside cannot be "
-        "told apart; close the mesh or give the material Ni 1",
-        triangles, components, in_quotes(first->name)));
+    warnings.emplace_back(
+        WarningCode::glass_open,
+        fmt::format(
+            "{} triangles in {} open components refract (first: material {}), where inside and outside cannot be "
+            "told apart; close the mesh or give the material Ni 1",
+            triangles, components, in_quotes(first->name)));
 }
 
 }  // namespace
 
 void topology_warnings(const Scene& scene, const Topology& topology, Warnings& warnings) {
   if (topology.non_manifold_edges > 0)
-    warnings.push_back(
+    warnings.emplace_back(
+        WarningCode::mesh_non_manifold,
         fmt::format("{} edges belong to more than two triangles (non-manifold); kept, but their meshes have no inside",
                     topology.non_manifold_edges));
   warn_of_open_refraction(scene, topology, warnings);

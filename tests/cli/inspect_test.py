@@ -89,8 +89,11 @@ class InspectTest(unittest.TestCase):
         self.cube(GLASS, CUBE + "f 1 2 2\n")
         report = self.json("cube.obj")
         self.assertEqual(len(report["warnings"]), 2, report["warnings"])
-        self.assertIn("repeat a vertex", report["warnings"][0])
-        self.assertIn("10 triangles in 1 open components refract (first: material 'paint')", report["warnings"][1])
+        (repeat, refract) = report["warnings"]
+        self.assertEqual((repeat["code"], refract["code"]), ("triangle-degenerate", "glass-open"))
+        self.assertIn("repeat a vertex", repeat["message"])
+        self.assertIn("10 triangles in 1 open components refract (first: material 'paint')", refract["message"])
+        self.assertIn(f"  - {repeat['message']} [triangle-degenerate]\n", self.text("cube.obj"))
         self.assertEqual(report["edges"]["boundary"], 4)
         self.assertIn("open: 4 boundary edges", self.text("cube.obj"))
         done = self.run_binary("render", "cube.obj", "--method", "raytrace", "--size", "8x8", "-q")

@@ -218,6 +218,7 @@ class MergeTest(CliTestCase):
         done = self.succeed("merge", "out")
         self.assertEqual(done.stderr.count("\n"), 1)
         self.assertIn("warning: out/timings.csv lacks the times of frames 11-12", done.stderr)
+        self.assertTrue(done.stderr.endswith(" [times-missing]\n"), done.stderr)
 
     def test_no_parts(self):
         self.fail_with(3, "merge", "nowhere", says="nowhere")

@@ -221,6 +221,13 @@ class RenderTest(CliTestCase):
         done = self.succeed("render", "odd.obj", *SMALL, "--json")
         events = [json.loads(line) for line in done.stdout.splitlines()]
         self.assertEqual([event["event"] for event in events], ["warning", "start", "frame", "end"])
+        warning = {"code": "triangle-degenerate",
+                   "message": "odd.obj: 1 triangles that repeat a vertex were left out (first at line 5)"}
+        self.assertEqual(events[0], {"event": "warning", **warning})
+        with open(self.path("out/run.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["warnings"], [warning])
+        done = self.succeed("render", "odd.obj", *SMALL, "-q")
+        self.assertEqual(done.stderr, f"hybridrt: warning: {warning['message']} [{warning['code']}]\n")
 
     def test_quiet_is_silent_and_talk_goes_to_standard_error(self):
         done = self.render("--frames", "2")

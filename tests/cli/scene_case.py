@@ -37,7 +37,7 @@ class SceneCase(CliTestCase):
 
     def warn(self, scene, *says, options=()):
         """Expects these warnings and no others from both commands, one line each; returns the picture."""
-        told = self.report(scene, *options)["warnings"]
+        told = [f"{warning['message']} [{warning['code']}]" for warning in self.report(scene, *options)["warnings"]]
         rows, lines = self.picture(scene, *options)
         self.assertEqual([line for line in lines if not line.startswith("frame 1 ")], told)
         self.assertEqual(len(told), len(says), told)

@@ -79,6 +79,7 @@ class TwoRunsTest(CliTestCase):
             done = self.succeed("render", *QUICK, "--frames", frames, "-o", name)
             self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
             self.assertIn("warning: another run is writing out/run.json or its timings", done.stderr)
+            self.assertTrue(done.stderr.endswith(" [tables-renamed]\n"), done.stderr)
             tables = {"out/timings.{:04}-{:04}.csv", "out/run.{:04}-{:04}.json"}
             self.assertTrue({t.format(*map(int, frames.split("-"))) for t in tables} <= set(self.files()), self.files())
 

@@ -36,9 +36,18 @@ inline std::string error_of(std::string_view obj) {
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
+/// "TEXT [CODE]", as people read it.
+inline std::string with_code(const Warning& warning) {
+  return warning.text + " [" + std::string(name_of(warning.code)) + "]";
+}
+
+/// How gtest shows one that is not as expected.
+inline void PrintTo(const Warning& warning, std::ostream* out) { *out << with_code(warning); }
+
 /// Whether exactly one warning says `part`.
 inline bool warned(const Warnings& warnings, const std::string& part) {
-  return std::count_if(warnings.begin(), warnings.end(), [&](const auto& w) { return contains(w, part); }) == 1;
+  return std::count_if(warnings.begin(), warnings.end(), [&](const auto& w) { return contains(with_code(w), part); }) ==
+         1;
 }
 
 inline const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";

@@ -77,7 +77,8 @@ TEST_F(LoadTextures, NothingIsKeptWithoutMaps) {
 TEST_F(LoadTextures, AlphaOfZeroEverywhereIsOpaque) {
   const Scene scene = load("newmtl a\nmap_Kd blank.png\n", "usemtl a\nf 1/1 2/2 3/3\n");
   EXPECT_EQ(warnings,
-            Warnings{"1 textures have an alpha of 0 in every texel, which was taken as opaque ('blank.png')"});
+            (Warnings{{WarningCode::texture_without_alpha,
+                       "1 textures have an alpha of 0 in every texel, which was taken as opaque ('blank.png')"}}));
   EXPECT_FALSE(scene.has_holes());
   const uint32_t first = scene.textures->words.at(record(scene, 0, HRT_MAP_DIFFUSE) + HRT_TEXTURE_FIRST);
   EXPECT_EQ(scene.textures->words.at(first) >> 24, 255u);
@@ -86,7 +87,7 @@ TEST_F(LoadTextures, AlphaOfZeroEverywhereIsOpaque) {
 TEST_F(LoadTextures, InvisibleMaterialsAreTold) {
   const auto told = [&](const string& statements) {
     load("newmtl a\n" + statements, "usemtl a\nf 1/1 2/2 3/3\nf 2/2 4/1 3/3\n");
-    return warnings.size() == 1 ? warnings[0] : fmt::format("{} warnings", warnings.size());
+    return warnings.size() == 1 ? warnings[0].text : fmt::format("{} warnings", warnings.size());
   };
   const string invisible = "material 'a': all its 2 triangles are invisible (";
   EXPECT_TRUE(told("d 0\n").starts_with(invisible + "d 0)"));

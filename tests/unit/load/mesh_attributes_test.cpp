@@ -165,7 +165,8 @@ TEST_F(MeshAttributes, PlyTexturesOfVerticesAndOfSeveralFiles) {
     ASSERT_TRUE(scene.textures) << names;
     EXPECT_EQ(scene.material_of(0).kd, vec3(1));
     EXPECT_EQ(warnings,
-              Warnings{"a.ply: 1 texture coordinates are not usable numbers and were set to 0 (first at line 16)"});
+              (Warnings{{WarningCode::texcoord_unusable,
+                         "a.ply: 1 texture coordinates are not usable numbers and were set to 0 (first at line 16)"}}));
   }
   const Scene several = load("a.ply", text_ply("comment TextureFile noise.png\ncomment TextureFile my leaf.png\n", "",
                                                {}, "property list uchar float texcoord\nproperty int texnumber\n",

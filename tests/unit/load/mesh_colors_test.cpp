@@ -37,8 +37,9 @@ TEST_F(MeshColors, AreTheDiffuseColourWithoutAMaterial) {
   EXPECT_EQ(scene.material_of(0).kd, vec3(1));
   EXPECT_EQ(scene.materials.size(), 1u) << "no other default";
   EXPECT_TRUE(warnings.empty()) << "nothing was repaired or left out";
-  EXPECT_EQ(scene.notes,
-            Warnings{"a.obj: the colours of its vertices (sRGB, 0 to 1) are the diffuse colour of 1 triangles"});
+  EXPECT_EQ(
+      scene.notes,
+      std::vector<string>{"a.obj: the colours of its vertices (sRGB, 0 to 1) are the diffuse colour of 1 triangles"});
   EXPECT_EQ(scene.positions.size(), 3u) << "vertices are shared as before";
 }
 
@@ -47,7 +48,7 @@ TEST_F(MeshColors, OfAFileAreBytesOrShares) {
   EXPECT_EQ(at(bytes, 0, 0), vec3(1, 0, 0));
   EXPECT_EQ(at(bytes, 0, 1), vec3(linear(1 / 255.0)));
   EXPECT_EQ(at(bytes, 0, 2), vec3(0, linear(.5), 1));
-  EXPECT_TRUE(warned(bytes.notes, "(sRGB, 0 to 255)"));
+  EXPECT_TRUE(contains(bytes.notes.at(0), "(sRGB, 0 to 255)"));
   const Scene shares = load("v 0 0 0 1 0 0\nv 1 0 0 1.0001 0 0\nv 0 1 0 -1 0 0\nf 1 2 3\n");
   EXPECT_EQ(at(shares, 0, 1), vec3(1, 0, 0)) << "rounded up";
   EXPECT_EQ(at(shares, 0, 2), vec3(0));
@@ -56,7 +57,7 @@ TEST_F(MeshColors, OfAFileAreBytesOrShares) {
 TEST_F(MeshColors, AreLinearWhereThatIsAskedFor) {
   const Scene scene = load(kPainted + "f 1 2 3\n", true);
   EXPECT_EQ(at(scene, 0, 0), vec3(1, 0, .5f));
-  EXPECT_TRUE(warned(scene.notes, "(linear, 0 to 1)"));
+  EXPECT_TRUE(contains(scene.notes.at(0), "(linear, 0 to 1)"));
 }
 
 TEST_F(MeshColors, MultiplyKdAndAreLeftOutUnderATexture) {
@@ -84,7 +85,7 @@ TEST_F(MeshColors, ThatSayNothingAreLeftOut) {
     EXPECT_FALSE(scene.has_colors());
     EXPECT_TRUE(scene.colors.empty());
     EXPECT_EQ(warnings.size() + scene.notes.size(), 1u);
-    return warnings.empty() ? scene.notes.at(0) : warnings[0];
+    return warnings.empty() ? scene.notes.at(0) : warnings[0].text;
   };
   EXPECT_EQ(left_out("v 0 0 0 0 0 0\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n"),
             "a.obj: the colours of its vertices are all black and were left out");
@@ -119,10 +120,11 @@ TEST_F(MeshColors, DoNotMindTrianglesThatAreLeftOut) {
 TEST_F(MeshColors, TheOnlyMaterialIsUsedWithoutUsemtl) {
   folder.write("a.mtl", "newmtl red\nKd 1 0 0\n");
   folder.write("b.mtl", "newmtl blue\nKd 0 0 1\n");
+  const auto unnamed = [](const char* text) { return Warnings{{WarningCode::material_unnamed, text}}; };
   EXPECT_EQ(load("mtllib a.mtl\n" + kTriangle + "f 1 2 3\n").material_of(0).name, "red");
-  EXPECT_EQ(warnings, Warnings{"a.obj: no usemtl, so the one material of its MTL, 'red', is used for all of it"});
+  EXPECT_EQ(warnings, unnamed("a.obj: no usemtl, so the one material of its MTL, 'red', is used for all of it"));
   EXPECT_EQ(load("mtllib a.mtl b.mtl\n" + kTriangle + "f 1 2 3\n").material_of(0).name, "default");
-  EXPECT_EQ(warnings, Warnings{"a.obj: no usemtl, so none of the 2 materials of its MTL is used; drawn as default"});
+  EXPECT_EQ(warnings, unnamed("a.obj: no usemtl, so none of the 2 materials of its MTL is used; drawn as default"));
   EXPECT_EQ(load("mtllib a.mtl\n" + kTriangle + "f 1 2 3\nusemtl red\nf 3 2 1\n").material_of(0).name, "default");
   EXPECT_TRUE(warnings.empty());
 }

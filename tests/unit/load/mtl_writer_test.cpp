@@ -60,8 +60,9 @@ TEST(MtlWriter, WhatAnotherFileSaidIsKept) {
 TEST(MtlWriter, SaysWhatIsLost) {
   const Warnings lost = written_again("newmtl a\nnewmtl b\nmap_Kd nowhere.png\n");
   ASSERT_EQ(lost.size(), 1u);
-  EXPECT_TRUE(contains(lost[0], "'b'")) << lost[0];
-  EXPECT_TRUE(contains(lost[0], "1 material")) << lost[0];
+  EXPECT_EQ(lost[0].code, WarningCode::material_changed);
+  EXPECT_TRUE(contains(lost[0].text, "'b'")) << lost[0].text;
+  EXPECT_TRUE(contains(lost[0].text, "1 material")) << lost[0].text;
 }
 
 TEST(MtlWriter, NamesAreDistinct) {

@@ -26,9 +26,9 @@ TEST_P(SharedScene, LoadsTheSameForAnyThreads) {
   EXPECT_EQ(scene.triangle_count(), GetParam().triangles);
   EXPECT_EQ(scene.materials.size(), GetParam().materials);
   if (GetParam().warning)
-    EXPECT_TRUE(warned(warnings, GetParam().warning)) << fmt::format("{}", fmt::join(warnings, "\n"));
+    EXPECT_TRUE(warned(warnings, GetParam().warning)) << testing::PrintToString(warnings);
   else
-    EXPECT_TRUE(warnings.empty()) << warnings.front();
+    EXPECT_TRUE(warnings.empty()) << testing::PrintToString(warnings);
 
   const Scene same = load_scene(path.string(), three, again);
   EXPECT_EQ(same.positions, scene.positions);

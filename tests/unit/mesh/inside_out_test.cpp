@@ -247,7 +247,9 @@ TEST(TurnInsideOutBodies, WarnsOnce) {
   Warnings warnings;
   turn_inside_out_bodies(scene, topology, pool, warnings);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].find("2 closed bodies were wound inward and are turned outward (first: "), 0u) << warnings[0];
+  EXPECT_EQ(warnings[0].code, WarningCode::body_turned);
+  const std::string& text = warnings[0].text;
+  EXPECT_EQ(text.find("2 closed bodies were wound inward and are turned outward (first: "), 0u) << text;
   turn_inside_out_bodies(scene, topology, pool, warnings);
   EXPECT_EQ(warnings.size(), 1u) << "nothing is left to turn";
 }
