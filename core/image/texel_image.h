@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace hybridrt {
@@ -13,6 +14,7 @@ struct TexelImage {
   int width_px = 0, height_px = 0;
   bool has_alpha = false;
   std::vector<uint32_t> texels;
+  std::string damage = {};  ///< what the decoder says is wrong with pixels that it made up; empty: nothing
 };
 
 /// What a file's header says.

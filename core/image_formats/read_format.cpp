@@ -85,6 +85,17 @@ Input open_image(const fs::path& path) {
   return input;
 }
 
+/// Readers may say that rows were read and leave a message all the same: JPEG's, as libjpeg fills what is missing with
+/// grey, and TIFF's, whose strips stay black, or not, as they are packed. Only a JPEG is used in spite of it.
+bool is_broken(const OIIO::ImageInput& input) {
+  return input.has_error() && input.format_name() != std::string_view("jpeg");
+}
+
+[[noreturn]] void throw_broken(const fs::path& path, int row, OIIO::ImageInput& input) {
+  throw error(ErrorKind::input, "{}: broken image, row {} and on: {}; write or copy it again", path.string(), row,
+              one_line(input.geterror()));
+}
+
 /// Reads strip by strip into reserved memory: a file that is cut short fails before most of it is touched.
 Image read_pixels(const fs::path& path, OIIO::ImageInput& input) {
   const OIIO::ImageSpec spec = input.spec();
@@ -100,11 +111,18 @@ Image read_pixels(const fs::path& path, OIIO::ImageInput& input) {
     const bool read = spec.tile_width > 0 ? input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, target)
                                           : input.read_scanlines(0, 0, spec.y + y, spec.y + y + rows, 0, 0,
                                                                  spec.nchannels, OIIO::TypeFloat, target);
-    if (!read)
-      throw error(ErrorKind::input, "{}: broken image, row {} and on: {}; write or copy it again", path.string(), y,
-                  one_line(input.geterror()));
+    if (!read || input.has_error()) throw_broken(path, y, input);
   }
   return image;
+}
+
+/// What the reader says of rows that it gave, without the file's name; "" if nothing.
+std::string complaint(const fs::path& path, const OIIO::ImageInput& input) {
+  if (!input.has_error()) return "";
+  std::string text = one_line(input.geterror());
+  const std::string name = " (\"" + path.string() + "\")";
+  if (text.ends_with(name)) text.resize(text.size() - name.size());
+  return text;
 }
 
 /// Converts rows of the file's numbers to display codes, strip by strip as in read_pixels.
@@ -130,13 +148,12 @@ TexelImage read_codes(const fs::path& path, OIIO::ImageInput& input) {
                           ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + y + rows, spec.z,
                                              spec.z + 1, 0, channels, type, target)
                           : input.read_scanlines(0, 0, spec.y + y, spec.y + y + rows, 0, 0, channels, type, target);
-    if (!read)
-      throw error(ErrorKind::input, "{}: broken image, row {} and on: {}; write or copy it again", path.string(), y,
-                  one_line(input.geterror()));
+    if (!read || is_broken(input)) throw_broken(path, y, input);
     if (floats) codes = srgb8_from_linear(linear);
     const uint32_t opaque = image.has_alpha ? 0 : 0xFF000000u;
     for (size_t i = 0; i < values; i += channels) image.texels.push_back(texel_of(&codes[i], channels) | opaque);
   }
+  image.damage = complaint(path, input);
   return image;
 }
 

@@ -33,7 +33,7 @@ struct ImageFormats {
 
 /// The one symbol of the shared object: a `const ImageFormats* (*)()`. A change of the table changes the name, so that
 /// a program and a shared object that do not belong together find out.
-inline constexpr const char* kImageFormatsSymbol = "hybridrt_image_formats_2";
+inline constexpr const char* kImageFormatsSymbol = "hybridrt_image_formats_3";
 
 /// Opens the shared object at its first call; it stays open. It lies in the folder of libraries beside the program's
 /// own folder, wherever both were moved together. Thread-safe. Throws Error(`kind`), saying where it was looked for,

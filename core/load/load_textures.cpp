@@ -36,6 +36,7 @@ struct TextureImage {
   uint32_t first = 0;          ///< index in the words of all its levels, one after the other
   bool missing = false;        ///< replaced by a checker, except for map_d
   std::string failure;         ///< why, unless the MTL reader has already said so
+  std::string damage;          ///< what is wrong with pixels that are used all the same
   bool usable_as(MapKind kind) const { return kind == MapKind::diffuse || !missing; }
   bool has_levels() const { return map->kind != MapKind::holes; }
   uint64_t word_count() const {
@@ -57,6 +58,7 @@ Key key_of(const TextureMap& map) {
 void prepare(TextureImage& image, TexelImage&& read, std::span<uint32_t> words) {
   const TextureMap& map = *image.map;
   image.alpha_is_zero = drop_zero_alpha(read);
+  image.damage = std::move(read.damage);
   if (map.kind == MapKind::holes)
     make_opacity(read, map);
   else if (map.channel)
@@ -164,6 +166,11 @@ class Loader {
           WarningCode::texture_unusable,
           fmt::format("{} textures cannot be used: map_Kd becomes a checker, others are left out (first: {})",
                       unreadable_, first_failure_));
+    if (damaged_ > 0)
+      warnings_.emplace_back(
+          WarningCode::texture_damaged,
+          fmt::format("{} textures are cut short or damaged, and drawn as far as they can be read (first: {})",
+                      damaged_, first_damage_));
     if (zero_alpha_.count() > 0)
       warnings_.emplace_back(
           WarningCode::texture_without_alpha,
@@ -189,6 +196,7 @@ class Loader {
       image.missing = true;
       if (unreadable_++ == 0) first_failure_ = image.failure;
     }
+    if (!image.damage.empty() && damaged_++ == 0) first_damage_ = fmt::format("{}: {}", file, image.damage);
     if (image.alpha_is_zero) zero_alpha_.add(image.map->path.filename().string());
     if (image.missing) {
       if (image.has_levels()) become_checker(image);
@@ -297,9 +305,9 @@ class Loader {
   bool any_ = false;                   ///< some material has a texture
   uint32_t checker_first_ = 0;         ///< 0: none is needed so far
   int checker_levels_ = 1;
-  size_t unreadable_ = 0;
+  size_t unreadable_ = 0, damaged_ = 0;
   NameList zero_alpha_;
-  std::string first_failure_;
+  std::string first_failure_, first_damage_;
 };
 
 }  // namespace

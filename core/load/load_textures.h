@@ -14,6 +14,7 @@ namespace hybridrt {
 ///
 ///  - A map_Kd that is missing or cannot be read becomes a checker; other maps are then left out. One warning counts
 ///    those that cannot be read. A missing file has had its warning when the MTL was read.
+///  - One that is damaged (TexelImage::damage) is used as it was read; one warning counts those.
 ///  - An alpha of 0 in every texel counts as opaque, with a warning.
 ///  - Holes come from map_d, else from the alpha of map_Kd, if any of its texels is under one half. map_d takes the
 ///    image's alpha, if it has any, else its brightness.

@@ -166,6 +166,25 @@ class WarningCodesTest(CliTestCase):
         self.succeed("merge", ".")
         self.assertEqual([warning["code"] for warning in json.loads(self.read("run.json"))["warnings"]], ["line-unknown"])
 
+    def test_textures_cut_short(self):
+        self.write("a.obj", TEXTURED)
+        for name in ("a.jpg", "a.tif", "a.bmp"):
+            self.succeed("render", SCENE, "--size", "160x120", "-q", "-o", name)
+            whole = self.read(name)
+            self.write("a.mtl", f"newmtl a\nmap_Kd {name}\n")
+            self.assertEqual(json.loads(self.succeed("inspect", "a.obj", "--json").stdout)["warnings"], [])
+            self.make({name: whole[:len(whole) * 6 // 10]})
+            warning, = json.loads(self.succeed("inspect", "a.obj", "--json").stdout)["warnings"]
+            self.assertEqual(warning["code"], "texture-damaged" if name == "a.jpg" else "texture-unusable")
+            self.assertIn(name + ": ", warning["message"])
+            done = self.run_binary("compare", name, name)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn(name + ": broken image", done.stderr)
+        self.assertIn(" [texture-unusable]\n", self.succeed("inspect", "a.obj").stdout)
+        self.write("a.mtl", "newmtl a\nmap_Kd a.jpg\n")
+        self.assertIn("a.jpg: JPEG error: Premature end of JPEG file) [texture-damaged]\n",
+                      self.succeed("inspect", "a.obj").stdout)
+
     def test_what_a_comparison_cannot_draw(self):
         self.make({"a.png": GREY, "b.png": png(b"\0\0\0")})
         done = self.run_binary("compare", "a.png", "b.png", "--diff", "d.png")

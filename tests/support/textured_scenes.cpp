@@ -12,6 +12,7 @@ TexelImage pattern_named(const std::filesystem::path& path, int largest_side_px,
   const std::string name = path.filename().string();
   if (name.starts_with("torn")) throw error(ErrorKind::input, "{}: broken image", path.string());
   TexelImage image;
+  if (name.starts_with("grey")) image.damage = "it ends too early";
   Random random(17);
   const auto fill = [&](int width, int height, const auto& texel) {
     image.width_px = width, image.height_px = height;

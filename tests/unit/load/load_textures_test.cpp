@@ -24,8 +24,8 @@ struct LoadTextures : testing::Test {
   std::atomic<int> reads = 0;
 
   LoadTextures() {
-    for (const char* name :
-         {"noise.png", "noise2.png", "leaf.png", "mask.png", "torn.png", "blank.png", "faint.png", "black.png"})
+    for (const char* name : {"noise.png", "noise2.png", "leaf.png", "mask.png", "torn.png", "blank.png", "faint.png",
+                             "black.png", "grey.jpg", "grey2.jpg"})
       folder.write(name, "x");
   }
   Scene load(const string& mtl, const string& faces, LoadWatch watch = {}, int threads = 2) {
@@ -129,6 +129,16 @@ TEST_F(LoadTextures, WhatCannotBeReadIsACheckerOrLeftOut) {
   EXPECT_TRUE(warned(warnings, "torn.png: broken image"));
   EXPECT_TRUE(warned(warnings, "1 texture files are missing ('gone.png')"));
   EXPECT_EQ(std::count(scene.files.begin(), scene.files.end(), (folder.path / "torn.png").string()), 0);
+}
+
+TEST_F(LoadTextures, WhatIsDamagedIsDrawnAndTold) {
+  const Scene scene = load("newmtl a\nmap_Kd grey.jpg\nnewmtl b\nmap_Kd grey2.jpg\n",
+                           "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n");
+  const uint32_t first = scene.textures->words[record(scene, 0, HRT_MAP_DIFFUSE) + HRT_TEXTURE_FIRST];
+  EXPECT_EQ(scene.textures->words[first], texel_of(220, 220, 220)) << "no checker";
+  EXPECT_EQ(warnings, (Warnings{{WarningCode::texture_damaged,
+                                 "2 textures are cut short or damaged, and drawn as far as they can be read (first: " +
+                                     (folder.path / "grey.jpg").string() + ": it ends too early)"}}));
 }
 
 TEST_F(LoadTextures, HolesOfAlphaAndOfMapD) {
