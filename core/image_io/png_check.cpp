@@ -7,9 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image_io/file_bytes.h"
+
 namespace hybridrt {
 namespace {
 
+constexpr const char* kCutShort = "it is cut short";
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 
 uint32_t big_endian(const unsigned char* bytes) {
@@ -24,8 +27,19 @@ bool is_png(const std::filesystem::path& path) {
   return file.read(head, sizeof head) && std::string_view(head, sizeof head) == kSignature;
 }
 
+std::string png_length_fault(const std::filesystem::path& path) {
+  constexpr uint64_t kChunkBytes = 12;  // length, type, checksum
+  FileBytes file(path);
+  for (uint64_t place = kSignature.size(); place + kChunkBytes <= file.size();) {
+    const uint64_t length = file.big(place, 4);
+    if (length > file.size() - place - kChunkBytes) break;
+    if (file.at(place + 4, 4) == "IEND") return "";
+    place += kChunkBytes + length;
+  }
+  return kCutShort;
+}
+
 std::string png_fault(const std::filesystem::path& path) {
-  constexpr const char* kCutShort = "it is cut short";
   std::ifstream file(path, std::ios::binary);
   const auto read = [&](unsigned char* to, size_t count) {
     return static_cast<bool>(file.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count)));

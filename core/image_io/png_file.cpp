@@ -12,12 +12,13 @@
 #include "core/base/error.h"
 #include "core/base/uninitialized.h"
 #include "core/image_io/image_limits.h"
+#include "core/image_io/png_check.h"
 
 namespace hybridrt {
 namespace {
 
 constexpr int kStripRows = 64;
-constexpr png_alloc_size_t kAlwaysAllowedChunkBytes = 8'000'000;  // libpng's own limit where it has one
+constexpr png_alloc_size_t kMostTextBytes = 8'000'000;  // that a compressed text may become; longer ones are left out
 
 void leave(png_structp png, png_const_charp message) {
   *static_cast<std::string*>(png_get_error_ptr(png)) = message;
@@ -39,14 +40,13 @@ PngFile::PngFile(const std::filesystem::path& path) : path_(path), file_(std::fo
   if (!file_)
     throw error(ErrorKind::input, "{}: cannot be read: {}; check the path and its permissions", path.string(),
                 std::generic_category().message(errno));
-  std::error_code unknown;
-  const auto file_bytes = static_cast<png_alloc_size_t>(std::filesystem::file_size(path, unknown));
+  if (const std::string fault = png_length_fault(path); !fault.empty())
+    throw error(ErrorKind::input, "{}: broken image: {}; write or copy it again", path.string(), fault);
   png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &problem_, leave, ignore);
   info_ = png_ ? png_create_info_struct(png_) : nullptr;
-  const bool read = info_ && guarded([this, file_bytes] {
+  const bool read = info_ && guarded([this] {
                       png_init_io(png_, file_.get());
-                      // libpng makes room for what a chunk claims. None is longer than its file.
-                      png_set_chunk_malloc_max(png_, std::max<png_alloc_size_t>(file_bytes, kAlwaysAllowedChunkBytes));
+                      png_set_chunk_malloc_max(png_, kMostTextBytes);
                       png_read_info(png_, info_);
                       png_set_expand(png_);  // palettes, fewer than eight bits, transparent colours
                       if constexpr (std::endian::native == std::endian::little) png_set_swap(png_);
