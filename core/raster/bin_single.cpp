@@ -26,10 +26,11 @@ struct CameraTriangle {
 
 /// Whether all corners lie outside one side of the picture.
 bool is_outside(const CameraTriangle& t, const Screen& screen) {
-  const double left = (-0.5 - screen.middle_x) / screen.scale_x;
-  const double right = (screen.width_px - 0.5 - screen.middle_x) / screen.scale_x;
-  const double bottom = (screen.middle_y - screen.height_px + 0.5) / screen.scale_y;
-  const double top = (screen.middle_y + 0.5) / screen.scale_y;
+  const double beyond = 0.5 + screen.spread_px;  // the outer pixels' centres
+  const double left = (-beyond - screen.middle_x) / screen.scale_x;
+  const double right = (screen.width_px - 1 + beyond - screen.middle_x) / screen.scale_x;
+  const double bottom = (screen.middle_y - screen.height_px + 1 - beyond) / screen.scale_y;
+  const double top = (screen.middle_y + beyond) / screen.scale_y;
   const double rounding =
       1e-12 * t.reach * (1 + std::max({std::abs(left), std::abs(right), std::abs(bottom), std::abs(top)}));
   const auto all_over = [&](const auto& value) {
@@ -53,9 +54,9 @@ std::optional<BinItem> place_of(const CameraTriangle& t, const Screen& screen) {
     const double y = screen.middle_y - screen.scale_y * t.y[k] / t.z[k];
     x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
   }
-  constexpr double kMargin_px = 1e-2;
-  x0 = std::max(0.0, std::ceil(x0 - kMargin_px)), x1 = std::min(screen.width_px - 1.0, std::floor(x1 + kMargin_px));
-  y0 = std::max(0.0, std::ceil(y0 - kMargin_px)), y1 = std::min(screen.height_px - 1.0, std::floor(y1 + kMargin_px));
+  const double margin_px = 1e-2 + screen.spread_px;
+  x0 = std::max(0.0, std::ceil(x0 - margin_px)), x1 = std::min(screen.width_px - 1.0, std::floor(x1 + margin_px));
+  y0 = std::max(0.0, std::ceil(y0 - margin_px)), y1 = std::min(screen.height_px - 1.0, std::floor(y1 + margin_px));
   if (!(x0 <= x1 && y0 <= y1)) return std::nullopt;
   item.nearest = static_cast<float>(std::min<double>(screen.unit / nearest * (1 + 1e-6), kAnyDepth));
   item.x0 = static_cast<uint16_t>(x0), item.x1 = static_cast<uint16_t>(x1);
@@ -77,6 +78,7 @@ void bin_triangles(const Scene& scene, const Clusters& clusters, size_t cluster,
   WorkerBins& own = bins.workers[worker];
   const Cluster& head = clusters.clusters[cluster];
   const uint32_t* triangles = clusters.triangles(head);
+  const int spread = static_cast<int>(std::ceil(screen.spread_px));
   for (int n = 0; n < head.triangle_count; ++n) {
     const CameraTriangle seen(scene, screen, triangles[n]);
     if (is_outside(seen, screen)) continue;
@@ -88,8 +90,8 @@ void bin_triangles(const Scene& scene, const Clusters& clusters, size_t cluster,
     own.single.push_back(made);
     for (int j = item->y0 / kTileHeight_px; j <= item->y1 / kTileHeight_px; ++j)
       for (int i = item->x0 / kTileWidth_px; i <= item->x1 / kTileWidth_px; ++i) {
-        const PixelBox tile{i * kTileWidth_px, j * kTileHeight_px, (i + 1) * kTileWidth_px - 1,
-                            (j + 1) * kTileHeight_px - 1};
+        const PixelBox tile{i * kTileWidth_px - spread, j * kTileHeight_px - spread,
+                            (i + 1) * kTileWidth_px - 1 + spread, (j + 1) * kTileHeight_px - 1 + spread};
         if (!misses_box(made, tile)) own.tiles[static_cast<size_t>(j) * bins.tiles_x + i].push_back(*item);
       }
   }

@@ -31,12 +31,13 @@ class ClusterCuller {
     // The eye, rounded to float; then what every pixel position is rounded by.
     eye_error_ = 0x1p-22f * (std::abs(eye_[0]) + std::abs(eye_[1]) + std::abs(eye_[2]));
     const double pixels = screen.width_px + screen.height_px + std::abs(screen.middle_x) + std::abs(screen.middle_y);
-    pixel_error_ = static_cast<float>(1.0 / 64 + 2e-6 * pixels);
-    // Tangents of the picture's sides, half a pixel and some rounding beyond the outer centres.
-    left_ = outward((-0.5 - screen.middle_x) / screen.scale_x, -1);
-    right_ = outward((screen.width_px - 0.5 - screen.middle_x) / screen.scale_x, 1);
-    bottom_ = outward((screen.middle_y - screen.height_px + 0.5) / screen.scale_y, -1);
-    top_ = outward((screen.middle_y + 0.5) / screen.scale_y, 1);
+    pixel_error_ = static_cast<float>(screen.spread_px + 1.0 / 64 + 2e-6 * pixels);
+    // Tangents of the picture's sides, half a pixel and some rounding beyond the outer samples.
+    const double beyond = 0.5 + screen.spread_px;
+    left_ = outward((-beyond - screen.middle_x) / screen.scale_x, -1);
+    right_ = outward((screen.width_px - 1 + beyond - screen.middle_x) / screen.scale_x, 1);
+    bottom_ = outward((screen.middle_y - screen.height_px + 1 - beyond) / screen.scale_y, -1);
+    top_ = outward((screen.middle_y + beyond) / screen.scale_y, 1);
   }
 
   void cull(size_t begin, size_t end) {

@@ -12,6 +12,12 @@
 
 namespace hybridrt {
 
+/// What a tile holds.
+struct TileItems {
+  std::span<const BinItem> items;
+  std::span<const uint32_t> order;  ///< indices into `items`, the nearest first
+};
+
 /// Sorts the items of a tile. Their order only saves work, so 22 bits of the depth are enough for many.
 class DepthOrder {
  public:

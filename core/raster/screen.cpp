@@ -6,7 +6,7 @@
 
 namespace hybridrt {
 
-Screen make_screen(const View& view, const Aabb& bounds) {
+Screen make_screen(const View& view, const Aabb& bounds, double spread_px) {
   HRT_CHECK(view.width_px <= 65536 && view.height_px <= 65536);
   Screen screen;
   screen.width_px = view.width_px, screen.height_px = view.height_px;
@@ -15,6 +15,7 @@ Screen make_screen(const View& view, const Aabb& bounds) {
   screen.scale_y = view.frame_height_px / (2 * view.tan_half_height);
   screen.middle_x = view.frame_width_px / 2.0 - 0.5 - view.sample_px.x - view.x_px;
   screen.middle_y = view.frame_height_px / 2.0 - 0.5 - view.sample_px.y - view.y_px;
+  screen.sample_px = view.sample_px, screen.spread_px = spread_px;
   screen.x_px = view.x_px, screen.y_px = view.y_px;
   screen.frame_first = view.ray_first();
   screen.step_x = view.ray_step_x(), screen.step_y = view.ray_step_y();

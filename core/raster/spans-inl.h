@@ -58,10 +58,6 @@ struct RowSpan {
 
 inline Mask between_lanes(int first, int last) { return hn::AndNot(first_lanes(first), first_lanes(last + 1)); }
 
-inline void queue(DepthTile& tile, uint32_t place, uint32_t triangle, float nearest) {
-  tile.pending.push_back({place, triangle, nearest});
-}
-
 /// Samples a row of the tile, a pixel a lane: aligned whole vectors, blended and stored, so that the next triangle's
 /// loads find the same addresses and need not wait. `depth_at_0`: the triangle's at the first pixel of its box.
 inline void sample_row(DepthTile& tile, const EdgeTriangle& t, float depth_at_0, int y, const RowSpan& span) {

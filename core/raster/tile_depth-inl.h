@@ -6,13 +6,9 @@
 #define HYBRIDRT_RASTER_TILE_DEPTH_H
 #endif
 
-#include <limits>
-#include <span>
-
 #include "core/base/math.h"
 #include "core/raster/depth_tile.h"
 #include "core/raster/lanes-inl.h"
-#include "core/trace/tile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hybridrt {
@@ -32,15 +28,8 @@ inline void clear_tile(DepthTile& tile, const PixelBox& place) {
   tile.pending.clear();
 }
 
-/// Makes what is not wanted hidden by something at the eye, so that work is done for `wanted` (of the picture) only.
-inline void want_only(DepthTile& tile, std::span<const PixelAt> wanted) {
-  const Floats at_eye = all(std::numeric_limits<float>::infinity());
-  for (int i = 0; i < tile.height_px * kTileStride; i += kLanes) store(tile.lo + i, at_eye), store(tile.hi + i, at_eye);
-  for (const PixelAt& at : wanted) {
-    const int place = (at.y - tile.y_px) * kTileStride + at.x - tile.x_px;
-    tile.lo[place] = tile.hi[place] = -1;
-  }
-  for (int b = 0; b < kBlocksX * kBlocksY; ++b) tile.block_stale[b] = true;
+inline void queue(DepthTile& tile, uint32_t place, uint32_t triangle, float nearest) {
+  tile.pending.push_back({place, triangle, nearest});
 }
 
 inline void mark_stale(DepthTile& tile, const PixelBox& box) {

@@ -16,9 +16,8 @@ constexpr PixelAt kNeighbors[] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
 
 class EdgeSampler {
  public:
-  EdgeSampler(Image& picture, const EdgeSampling& sampling, ThreadPool& pool, EdgeMemory& memory,
-              const TakeSample& take)
-      : picture_(picture), sampling_(sampling), pool_(pool), memory_(memory), take_(take) {}
+  EdgeSampler(Image& picture, const EdgeSampling& sampling, EdgeMemory& memory, const TakeSamples& take)
+      : picture_(picture), sampling_(sampling), memory_(memory), take_(take) {}
 
   int64_t run() {
     // Means wait until all are taken: until then the picture has first samples only.
@@ -68,23 +67,22 @@ class EdgeSampler {
 
   void take_samples() {
     const std::vector<PixelAt>& pixels = memory_.pixels;
-    memory_.colors.resize(pixels.size());
     memory_.sums.assign(pixels.size(), vec4(0));
     if (!sampling_.retake_first)
       for (size_t i = 0; i < pixels.size(); ++i) std::ranges::copy(first_sample(pixels[i]), &memory_.sums[i].x);
-    for (int sample = sampling_.retake_first ? 0 : 1; sample < sampling_.samples; ++sample) {
-      take_(sample, pixels, memory_.colors);
-      const dvec2 offset_px = sample_offset_px(sample);
-      parallel_for(pool_, pixels.size(), 4096, [&](size_t begin, size_t end) {
-        std::vector<PixelAt> wanted;
-        for (size_t i = begin; i < end; ++i) {
-          memory_.sums[i] += memory_.colors[i];
-          want_neighbors(pixels[i], offset_px, memory_.colors[i], wanted);
+    take_(pixels, [&](size_t first, size_t count, std::span<const vec4> colors) {
+      std::vector<PixelAt> wanted;
+      for (int sample = sampling_.first_taken(); sample < sampling_.samples; ++sample) {
+        const dvec2 offset_px = sample_offset_px(sample);
+        for (size_t i = 0; i < count; ++i) {
+          memory_.sums[first + i] += colors[i];
+          want_neighbors(pixels[first + i], offset_px, colors[i], wanted);
         }
-        const std::lock_guard lock(mutex_);
-        beside_.insert(beside_.end(), wanted.begin(), wanted.end());
-      });
-    }
+        colors = colors.subspan(count);
+      }
+      const std::lock_guard lock(mutex_);
+      beside_.insert(beside_.end(), wanted.begin(), wanted.end());
+    });
   }
 
   void want_neighbors(PixelAt at, const dvec2& offset_px, const vec4& color, std::vector<PixelAt>& wanted) {
@@ -102,9 +100,8 @@ class EdgeSampler {
 
   Image& picture_;
   const EdgeSampling& sampling_;
-  ThreadPool& pool_;
   EdgeMemory& memory_;
-  const TakeSample& take_;
+  const TakeSamples& take_;
   std::mutex mutex_;
   std::vector<PixelAt> beside_;  ///< what the samples at hand want; under the mutex
 };
@@ -112,10 +109,10 @@ class EdgeSampler {
 }  // namespace
 
 int64_t sample_edges(Image& picture, const EdgeSampling& sampling, ThreadPool& pool, EdgeMemory& memory,
-                     const TakeSample& take) {
+                     const TakeSamples& take) {
   memory.sampled.resize(picture.pixel_count());
   mark_contrasts(picture, kEdgeContrast, pool, memory.sampled);
-  return EdgeSampler(picture, sampling, pool, memory, take).run();
+  return EdgeSampler(picture, sampling, memory, take).run();
 }
 
 }  // namespace hybridrt

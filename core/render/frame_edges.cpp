@@ -1,91 +1,84 @@
 #include "core/render/frame_edges.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "core/base/timing.h"
-#include "core/render/samples.h"
-#include "core/render/tile_frame.h"
+#include "core/render/edge_worker.h"
 
 namespace hybridrt {
 namespace {
 
-/// The rasteriser draws a sample of the frame if it has at least this share of its pixels; rays are cheaper for fewer.
-constexpr double kRasterisedShare = 0.02;
+/// The rasteriser finds what at least so many pixels of a tile see; rays are cheaper for fewer.
+constexpr size_t kRasterised = 32;
+
+/// Some of the pixels at hand, all in one tile.
+struct TilePart {
+  int tile;
+  size_t first, count;  ///< of the pixels
+};
 
 class EdgeTaker {
  public:
-  EdgeTaker(const TileJob& job, int samples, const EdgeFinders& finders, ThreadPool& pool)
-      : job_(job), samples_(samples), finders_(finders), pool_(pool), workers_(pool.size()) {
+  EdgeTaker(const TileJob& job, const EdgeSampling& sampling, const EdgeFinders& finders, ThreadPool& pool)
+      : job_(job), sampling_(sampling), finders_(finders), pool_(pool), workers_(pool.size()) {
     if (finders.clusters) finders.raster.tiles.resize(pool.size());
   }
 
-  void take(int sample, std::span<const PixelAt> pixels, std::span<vec4> colors) {
-    view_ = job_.plan.view;
-    view_.sample_px = sample_offset_px(sample);
-    view_.samples = samples_;
-    const size_t frame_pixels = job_.pixels.picture.pixel_count();
-    if (finders_.clusters && static_cast<double>(pixels.size()) >= kRasterisedShare * static_cast<double>(frame_pixels))
-      rasterize(pixels, colors);
-    else
-      trace(pixels, colors);
+  void take(std::span<const PixelAt> pixels, const GiveColors& give) {
+    std::vector<TilePart> parts = parts_of(pixels);
+    // The most work first, so that threads end together.
+    std::ranges::stable_sort(parts, std::greater(), &TilePart::count);
+    if (finders_.clusters && parts.front().count >= kRasterised) bin();
+    pool_.run(parts.size(), [&](size_t p, int number) {
+      const auto [tile, first, count] = parts[p];
+      const bool by_rays = !finders_.clusters || count < kRasterised;
+      give(first, count, worker(number).take(pixels.subspan(first, count), by_rays ? kByRays : tile));
+    });
   }
 
   void add_to(Frame& frame, double wall_ms) const {
     PassTimes threads_ms{};
-    for (const std::optional<TileWorker>& worker : workers_) {
+    for (const std::optional<EdgeWorker>& worker : workers_) {
       if (!worker) continue;
-      frame.stats.add(worker->stats());
-      for (size_t pass = 0; pass < threads_ms.size(); ++pass) threads_ms[pass] += worker->times_ms()[pass];
+      frame.stats.add(worker->tile().stats());
+      for (size_t pass = 0; pass < threads_ms.size(); ++pass) threads_ms[pass] += worker->tile().times_ms()[pass];
     }
     add_threads_times(frame.timings, threads_ms, wall_ms);
   }
 
  private:
-  TileWorker& worker(int number) {
-    std::optional<TileWorker>& worker = workers_[number];
-    if (!worker) worker.emplace(job_, finders_.clusters ? &finders_.raster.tiles[number] : nullptr);
+  EdgeWorker& worker(int number) {
+    std::optional<EdgeWorker>& worker = workers_[number];
+    if (!worker) worker.emplace(job_, sampling_, finders_.clusters ? &finders_.raster.tiles[number] : nullptr);
     return *worker;
   }
 
-  void trace(std::span<const PixelAt> pixels, std::span<vec4> colors) {
-    const size_t most = TileWorker::kMostPixels;
-    pool_.run((pixels.size() + most - 1) / most, [&](size_t chunk, int number) {
-      const size_t first = chunk * most, count = std::min(most, pixels.size() - first);
-      const std::span<const PixelAt> some = pixels.subspan(first, count);
-      worker(number).render_pixels(view_, some, worker(number).find_triangles(view_, some),
-                                   colors.subspan(first, count));
-    });
-  }
-
-  void rasterize(std::span<const PixelAt> pixels, std::span<vec4> colors) {
-    FrameBins& bins = finders_.raster.bins;
-    bin_clusters(job_.trace.scene, *finders_.clusters, view_, pool_, bins);
-    const auto tile_of = [&](PixelAt at) { return at.y / kTileHeight_px * bins.tiles_x + at.x / kTileWidth_px; };
-    struct TilePart {
-      size_t first, count;  ///< of the pixels
-    };
+  std::vector<TilePart> parts_of(std::span<const PixelAt> pixels) const {
+    const int tiles_x = (job_.plan.view.width_px + kTileWidth_px - 1) / kTileWidth_px;
     std::vector<TilePart> parts;
     for (size_t i = 0; i < pixels.size(); ++i) {
-      if (i == 0 || tile_of(pixels[i]) != tile_of(pixels[i - 1])) parts.push_back({i, 0});
+      const int tile = pixels[i].y / kTileHeight_px * tiles_x + pixels[i].x / kTileWidth_px;
+      if (parts.empty() || parts.back().tile != tile || parts.back().count == sampling_.pixels_at_once())
+        parts.push_back({tile, i, 0});
       ++parts.back().count;
     }
-    // The most work first, so that threads end together.
-    std::ranges::sort(parts, std::greater(), &TilePart::count);
-    pool_.run(parts.size(), [&](size_t i, int number) {
-      const auto [begin, count] = parts[i];
-      worker(number).render_pixels_of_tile(view_, tile_of(pixels[begin]), pixels.subspan(begin, count),
-                                           colors.subspan(begin, count));
-    });
+    return parts;
+  }
+
+  /// Sorts the clusters into the tiles in which samples may see them, once per frame.
+  void bin() {
+    if (binned_) return;
+    binned_ = true;
+    bin_clusters(job_.trace.scene, *finders_.clusters, job_.plan.view, pool_, finders_.raster.bins, kSampleSpread_px);
   }
 
   const TileJob& job_;
-  const int samples_;
+  const EdgeSampling& sampling_;
   const EdgeFinders& finders_;
   ThreadPool& pool_;
-  std::vector<std::optional<TileWorker>> workers_;
-  View view_;  ///< at the sample at hand
+  std::vector<std::optional<EdgeWorker>> workers_;
+  bool binned_ = false;
 };
 
 }  // namespace
@@ -100,11 +93,11 @@ void sample_frame_edges(const FramePlan& plan, const TraceJob& trace, const Rend
                     finders.raster.bins,
                     &finders.caster,
                     {frame.picture, {}, {}, {}, {}}};
-  EdgeTaker taker(job, settings.samples, finders, pool);
   const EdgeSampling sampling{settings.samples, /*retake_first=*/trace.scene.textures != nullptr};
-  frame.stats.pixels_resampled = sample_edges(
-      frame.picture, sampling, pool, finders.memory,
-      [&](int sample, std::span<const PixelAt> pixels, std::span<vec4> colors) { taker.take(sample, pixels, colors); });
+  EdgeTaker taker(job, sampling, finders, pool);
+  frame.stats.pixels_resampled =
+      sample_edges(frame.picture, sampling, pool, finders.memory,
+                   [&](std::span<const PixelAt> pixels, const GiveColors& give) { taker.take(pixels, give); });
   taker.add_to(frame, watch.elapsed_ms());
 }
 

@@ -70,7 +70,7 @@ size_t cpu_frame_bytes(const RenderSettings& s, size_t lights) {
 
 /// EdgeMemory and what sample_edges() gathers, if all pixels are near edges.
 size_t edge_sample_bytes(const RenderSettings& s) {
-  constexpr size_t kPerPixel = 1 + 2 * sizeof(PixelAt) + 3 * sizeof(vec4);
+  constexpr size_t kPerPixel = 1 + 2 * sizeof(PixelAt) + 2 * sizeof(vec4);
   return takes_edge_samples(s) ? kPerPixel * rendered_pixels(s) : 0;
 }
 

@@ -16,31 +16,37 @@ namespace {
 /// Takes the samples near edges of a frame (sample_edges), in double precision.
 void take_edge_samples(const FramePlan& plan, const TraceJob& job, const RenderSettings& settings,
                        const RayCaster<double>& caster, ThreadPool& pool, EdgeMemory& memory, Frame& frame) {
+  const EdgeSampling sampling{settings.samples, /*retake_first=*/job.scene.textures != nullptr};
   TraceStats stats;
   std::mutex mutex;
-  const auto take = [&](int sample, std::span<const PixelAt> pixels, std::span<vec4> colors) {
-    View view = plan.view;
-    view.sample_px = sample_offset_px(sample);
-    view.samples = settings.samples;
-    const TraceJob at{job.scene,   view,           job.lights,      job.shadows, job.reflection_depth,
-                      job.ambient, job.background, job.eye_enclosed};
-    parallel_for(pool, pixels.size(), 1024, [&](size_t begin, size_t end) {
-      RayGenerations<double> generations(at, &caster);
-      for (size_t i = begin; i < end; ++i)
-        generations.add_primary(static_cast<uint32_t>(i - begin), pixels[i].x, pixels[i].y);
-      std::vector<dvec3> light(end - begin);
-      std::vector<RayGenerations<double>::PrimaryHit> seen(end - begin);
+  const auto take = [&](std::span<const PixelAt> pixels, const GiveColors& give) {
+    parallel_for(pool, pixels.size(), std::min<size_t>(1024, sampling.pixels_at_once()), [&](size_t begin, size_t end) {
+      const size_t count = end - begin;
+      std::vector<vec4> colors;
+      std::vector<dvec3> light(count);
+      std::vector<RayGenerations<double>::PrimaryHit> seen(count);
       TraceStats of_these;
-      generations.run(light, seen, of_these);
-      for (size_t i = begin; i < end; ++i) {
-        const bool found = seen[i - begin].triangle != kNoTriangle;
-        colors[i] = found || !settings.alpha ? vec4(vec3(light[i - begin]), found) : vec4(0);
+      for (int sample = sampling.first_taken(); sample < sampling.samples; ++sample) {
+        View view = plan.view;
+        view.sample_px = sample_offset_px(sample);
+        view.samples = sampling.samples;
+        const TraceJob at{job.scene,   view,           job.lights,      job.shadows, job.reflection_depth,
+                          job.ambient, job.background, job.eye_enclosed};
+        RayGenerations<double> generations(at, &caster);
+        for (size_t i = 0; i < count; ++i)
+          generations.add_primary(static_cast<uint32_t>(i), pixels[begin + i].x, pixels[begin + i].y);
+        light.assign(count, dvec3(0)), seen.assign(count, {});
+        generations.run(light, seen, of_these);
+        for (size_t i = 0; i < count; ++i) {
+          const bool found = seen[i].triangle != kNoTriangle;
+          colors.push_back(found || !settings.alpha ? vec4(vec3(light[i]), found) : vec4(0));
+        }
       }
+      give(begin, count, colors);
       const std::lock_guard lock(mutex);
       stats.add(of_these);
     });
   };
-  const EdgeSampling sampling{settings.samples, /*retake_first=*/job.scene.textures != nullptr};
   const Stopwatch tracing;
   frame.stats.pixels_resampled = sample_edges(frame.picture, sampling, pool, memory, take);
   frame.timings[PassId::trace] += tracing.elapsed_ms();

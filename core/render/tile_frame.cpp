@@ -51,13 +51,23 @@ void TileWorker::find_triangles() {
     primary_triangles_[primary_places_[i]] = hits_[i].found() ? hits_[i].triangle : kNoTriangle;
 }
 
-std::span<const uint32_t> TileWorker::find_triangles(const View& view, std::span<const PixelAt> pixels) {
+void TileWorker::find_by_rays(std::span<const View> views, std::span<const PixelAt> pixels,
+                              std::span<uint32_t> triangles) {
   PassClock clock(times_ms_);
   primary_.clear(), primary_places_.clear();
-  for (size_t i = 0; i < pixels.size(); ++i) add_primary(view, pixels[i].x, pixels[i].y, static_cast<uint32_t>(i));
+  for (size_t s = 0; s < views.size(); ++s)
+    for (size_t i = 0; i < pixels.size(); ++i)
+      add_primary(views[s], pixels[i].x, pixels[i].y, static_cast<uint32_t>(i * views.size() + s));
   find_triangles();
+  std::ranges::copy(primary_triangles_, triangles.begin());
   clock.charge(PassId::id);
-  return primary_triangles_;
+}
+
+void TileWorker::find_in_tile(std::span<const View> views, int tile, std::span<const PixelAt> pixels,
+                              std::span<uint32_t> triangles) {
+  PassClock clock(times_ms_);
+  raster_->find_samples(scene_, job_.clusters, job_.bins, tile, views, pixels, triangles);
+  clock.charge(PassId::id);
 }
 
 void TileWorker::render_pixels(const View& view, std::span<const PixelAt> pixels, std::span<const uint32_t> triangles,
@@ -76,22 +86,6 @@ void TileWorker::render_pixels(const View& view, std::span<const PixelAt> pixels
   generations_.run(traced_, {}, stats_);
   for (size_t i = 0; i < pixels.size(); ++i) colors[i] += vec4(traced_[i], 0);
   clock.charge(PassId::trace);
-}
-
-void TileWorker::render_pixels_of_tile(const View& view, int tile, std::span<const PixelAt> pixels,
-                                       std::span<vec4> colors) {
-  PassClock clock(times_ms_);
-  raster_->draw(scene_, job_.clusters, job_.bins, tile, pixels);
-  clock.charge(PassId::id);
-  const DepthTile& seen = raster_->depth();
-  std::array<uint32_t, kMostPixels> triangles;
-  for (size_t first = 0; first < pixels.size(); first += kMostPixels) {
-    const std::span<const PixelAt> some = pixels.subspan(first, std::min(kMostPixels, pixels.size() - first));
-    std::ranges::transform(some, triangles.begin(), [&](PixelAt at) {
-      return seen.triangle[(at.y - seen.y_px) * kTileStride + at.x - seen.x_px];
-    });
-    render_pixels(view, some, triangles, colors.subspan(first, some.size()));
-  }
 }
 
 void TileWorker::render_part(int x0, int y0, int x1, int y1) {

@@ -45,15 +45,16 @@ class TileWorker {
   /// rasteriser saves is then the only difference.
   void render_by_rays(const Tile& part);
 
-  // The same of some pixels, at most kMostPixels at once. `view`: the job's, at any sample.
+  // The same of some pixels. `view`: the job's, at any sample; `views`: of several samples.
 
-  /// Which triangles rays find there, or kNoTriangle. Valid until the next call.
-  std::span<const uint32_t> find_triangles(const View& view, std::span<const PixelAt> pixels);
-  /// `triangles`: what they see. `colors`: linear, and alpha 1 where a surface is seen, else 0.
+  /// Which triangles rays find there, or kNoTriangle: one per pixel and sample, a pixel's side by side.
+  void find_by_rays(std::span<const View> views, std::span<const PixelAt> pixels, std::span<uint32_t> triangles);
+  /// The same by the rasteriser, of pixels in a tile of the job's bins (TileRaster::find_samples).
+  void find_in_tile(std::span<const View> views, int tile, std::span<const PixelAt> pixels,
+                    std::span<uint32_t> triangles);
+  /// `triangles`: what they see. `colors`: linear, and alpha 1 where a surface is seen, else 0. At most kMostPixels.
   void render_pixels(const View& view, std::span<const PixelAt> pixels, std::span<const uint32_t> triangles,
                      std::span<vec4> colors);
-  /// Both, of any number of pixels in a tile of the job's bins, which must be those of `view`: the rasteriser finds.
-  void render_pixels_of_tile(const View& view, int tile, std::span<const PixelAt> pixels, std::span<vec4> colors);
   static constexpr size_t kMostPixels = SeenPoints::kMost;
 
   static constexpr int kPart_px = 32;  ///< parts of a tile that trace their rays together

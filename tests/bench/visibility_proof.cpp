@@ -1,4 +1,5 @@
-// Asks the rasteriser for the triangle that each pixel sees, and compares with a ray tracer in double precision.
+// Asks the rasteriser for the triangle that each pixel sees, at its centre and at several samples of some pixels, and
+// compares with a ray tracer in double precision.
 //   visibility_proof [--quick] [--threads=N] [--views=N] [--target=NAME] [--seed=N] [SCENE...]
 // Each scene is seen from random places in, on and around it, through lenses of 0.02 to 179 degrees; made-up scenes of
 // slivers, huge, doubled and coplanar triangles are seen too. --target: an instruction set, as Highway names it (AVX2).
@@ -54,6 +55,11 @@ Tally prove(const Scene& scene, const Options& options, ThreadPool& pool, const 
         printf("  wrong: view %d, pixel %zu of %d x %d: %d, not %d\n", i, pixel, view.width_px, view.height_px,
                static_cast<int>(ids[pixel]), static_cast<int>(truth[pixel]));
     }
+    const SampledPixels sampled = sample_some_pixels(scene, clusters, view, pool, random);
+    const int wrong = wrong_samples(*caster, sampled, pool);
+    if (wrong > 0) printf("  wrong: view %d, %d of %zu samples\n", i, wrong, sampled.triangles.size());
+    tally.pixels += sampled.triangles.size(), tally.wrong += wrong;
+    for (const uint32_t triangle : sampled.triangles) tally.hits += triangle != kNoTriangle;
   }
   return tally;
 }

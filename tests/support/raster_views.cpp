@@ -1,5 +1,6 @@
 #include "tests/support/raster_views.h"
 
+#include <array>
 #include <cmath>
 
 namespace hybridrt {
@@ -65,6 +66,48 @@ std::vector<uint32_t> rasterized_ids(const Scene& scene, const Clusters& cluster
   RasterMemory memory;
   rasterize_ids(scene, clusters, view, pool, memory, ids);
   return ids;
+}
+
+SampledPixels sample_some_pixels(const Scene& scene, const Clusters& clusters, View view, ThreadPool& pool,
+                                 Random& random) {
+  SampledPixels sampled;
+  const bool on_grid = random.below(2) == 0;
+  const auto place = [&] { return on_grid ? 0.25 * random.below(5) - 0.5 : double{random.between(-0.5f, 0.5f)}; };
+  view.sample_px = dvec2(0);
+  for (uint32_t i = 1 + random.below(20); i > 0; --i) {
+    sampled.views.push_back(view);
+    sampled.views.back().sample_px = dvec2(place(), place());
+  }
+  const float share = std::array{0.02f, 0.5f, 1.0f}[random.below(3)];
+  RasterMemory memory;
+  bin_clusters(scene, clusters, view, pool, memory.bins, kSampleSpread_px);
+  memory.tiles.resize(1);
+  for (int tile = 0; tile < memory.bins.tile_count(); ++tile) {
+    const int x0 = tile % memory.bins.tiles_x * kTileWidth_px, y0 = tile / memory.bins.tiles_x * kTileHeight_px;
+    const size_t first = sampled.pixels.size();
+    for (int y = y0; y < std::min(y0 + kTileHeight_px, view.height_px); ++y)
+      for (int x = x0; x < std::min(x0 + kTileWidth_px, view.width_px); ++x)
+        if (random.unit() <= share) sampled.pixels.push_back({x, y});
+    sampled.triangles.resize(sampled.pixels.size() * sampled.views.size());
+    memory.tiles[0].find_samples(scene, clusters, memory.bins, tile, sampled.views,
+                                 std::span(sampled.pixels).subspan(first),
+                                 std::span(sampled.triangles).subspan(first * sampled.views.size()));
+  }
+  return sampled;
+}
+
+int wrong_samples(const RayCaster<double>& caster, const SampledPixels& sampled, ThreadPool& pool) {
+  int wrong = 0;
+  for (size_t s = 0; s < sampled.views.size(); ++s) {
+    const View& view = sampled.views[s];
+    const std::vector<uint32_t> truth = reference_ids(caster, view, pool);
+    for (size_t i = 0; i < sampled.pixels.size(); ++i) {
+      const PixelAt at = sampled.pixels[i];
+      wrong +=
+          sampled.triangles[i * sampled.views.size() + s] != truth[static_cast<size_t>(at.y) * view.width_px + at.x];
+    }
+  }
+  return wrong;
 }
 
 Scene doubled_faces(uint32_t seed) {

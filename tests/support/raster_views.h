@@ -15,6 +15,21 @@ std::vector<uint32_t> reference_ids(const RayCaster<double>& caster, const View&
 
 std::vector<uint32_t> rasterized_ids(const Scene& scene, const Clusters& clusters, const View& view, ThreadPool& pool);
 
+/// What the rasteriser finds at several samples of some pixels of a view.
+struct SampledPixels {
+  std::vector<View> views;  ///< of each sample
+  std::vector<PixelAt> pixels;
+  std::vector<uint32_t> triangles;  ///< per pixel and sample
+};
+
+/// At 1 to 20 samples, and at few, half or all of the pixels. Some samples lie on a grid of quarters of a pixel around
+/// the view's own.
+SampledPixels sample_some_pixels(const Scene& scene, const Clusters& clusters, View view, ThreadPool& pool,
+                                 Random& random);
+
+/// How many of them the double-precision ray test finds otherwise.
+int wrong_samples(const RayCaster<double>& caster, const SampledPixels& sampled, ThreadPool& pool);
+
 /// More scenes that rasterisers stumble over.
 Scene doubled_faces(uint32_t seed);  ///< every triangle again, wound the other way and from another corner
 Scene sheet_on_centers(int cells);   ///< seen by sheet_view(), vertices and edges fall on pixel centres

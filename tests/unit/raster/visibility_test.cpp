@@ -29,6 +29,11 @@ struct Oracle {
     for (size_t i = 0; i < ids.size(); ++i) wrong += ids[i] != truth[i];
     return wrong;
   }
+
+  /// The same of several samples of some pixels (sample_some_pixels).
+  int wrong_samples_of(const View& view, Random& random) {
+    return wrong_samples(*caster, sample_some_pixels(scene, clusters, view, pool, random), pool);
+  }
 };
 
 std::string described(const View& v) {
@@ -57,6 +62,13 @@ TEST_P(Visibility, EqualsTheRayTestAtEveryPixelOfRandomViews) {
     const View view = random_view(oracle.scene, random);
     ASSERT_EQ(oracle.wrong_pixels(view), 0) << "view " << i << ": " << described(view);
   }
+}
+
+TEST_P(Visibility, SamplesEqualTheRayTestInRandomViews) {
+  Oracle oracle(GetParam().scene);
+  Random random(2026);
+  for (int i = 0; i < 20; ++i)
+    ASSERT_EQ(oracle.wrong_samples_of(random_view(oracle.scene, random), random), 0) << "view " << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Visibility, testing::ValuesIn(raster_scenes()), test_name);
@@ -107,6 +119,41 @@ TEST(Visibility, DecidesDepthsThatFloatsHardlyTellApart) {
     const View view = view_of_plane(random);
     ASSERT_EQ(oracle.wrong_pixels(view), 0) << i << ": " << described(view);
   }
+}
+
+TEST(Visibility, SamplesAreExactUnderEveryInstructionSet) {
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    for (Scene scene : {random_soup(21, 3000, 0.1f), slivers(22, 300), doubled_faces(23),
+                        with_random_holes(random_soup(24, 200, 0.5f), 5)}) {
+      Oracle oracle(std::move(scene));
+      Random random(8);
+      for (int i = 0; i < 8; ++i)
+        ASSERT_EQ(oracle.wrong_samples_of(random_view(oracle.scene, random), random), 0)
+            << hwy::TargetName(target) << ", view " << i;
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+TEST(Visibility, SamplesAreDecidedBesideEdgesByLessThanRounding) {
+  for (const float enlarged : {1.0f, 0x1p54f}) {  // so large that floats do not hold the triangles
+    Oracle oracle(transformed(sheet_on_centers(64), enlarged, vec3(0)));
+    Random random(17);
+    for (int i = 0; i < 20; ++i) {
+      View view = sheet_view_beside(64, random);
+      view.eye *= enlarged;
+      ASSERT_EQ(oracle.wrong_samples_of(view, random), 0) << i;
+    }
+  }
+}
+
+TEST(Visibility, SamplesAreDecidedWhereFloatsHardlyTellDepthsApart) {
+  Oracle oracle(nearly_one_plane(18));
+  Random random(19);
+  for (int i = 0; i < 15; ++i) ASSERT_EQ(oracle.wrong_samples_of(view_of_plane(random), random), 0) << i;
 }
 
 TEST(Visibility, OfExactDuplicatesTheOneThatFacesTheEyeIsSeen) {

@@ -54,10 +54,16 @@ Sampled sampled_at_edges(const Scene2d& scene, int threads = 2, bool retake_firs
   Sampled result{first_samples(scene, 3), 0};
   ThreadPool pool(threads);
   EdgeMemory memory;
-  const auto take = [&](int sample, std::span<const PixelAt> pixels, std::span<vec4> colors) {
-    for (size_t i = 0; i < pixels.size(); ++i) colors[i] = sample_of(scene, pixels[i], sample);
+  const EdgeSampling sampling{kSamples, retake_first};
+  const auto take = [&](std::span<const PixelAt> pixels, const GiveColors& give) {
+    parallel_for(pool, pixels.size(), 64, [&](size_t begin, size_t end) {
+      std::vector<vec4> colors;
+      for (int sample = sampling.first_taken(); sample < kSamples; ++sample)
+        for (size_t i = begin; i < end; ++i) colors.push_back(sample_of(scene, pixels[i], sample));
+      give(begin, end - begin, colors);
+    });
   };
-  result.pixels = sample_edges(result.picture, {kSamples, retake_first}, pool, memory, take);
+  result.pixels = sample_edges(result.picture, sampling, pool, memory, take);
   return result;
 }
 
@@ -137,7 +143,7 @@ TEST(EdgeSamples, OfAFlatPictureAreNone) {
   Image picture(70, 50, 4, 0.5f);
   ThreadPool pool(2);
   EdgeMemory memory;
-  const auto take = [&](int, std::span<const PixelAt>, std::span<vec4>) { ++calls; };
+  const auto take = [&](std::span<const PixelAt>, const GiveColors&) { ++calls; };
   EXPECT_EQ(sample_edges(picture, {8, false}, pool, memory, take), 0);
   EXPECT_EQ(calls, 0);
   EXPECT_EQ(picture.data, Image(70, 50, 4, 0.5f).data);
