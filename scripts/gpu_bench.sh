@@ -20,6 +20,17 @@ rm -rf "$out"
 cmake --install "$build" --prefix "$out" --strip >/dev/null
 rm -rf "$out"/lib/hybridrt "$out"/share/doc "$out"/share/man "$out"/share/bash-completion "$out"/share/hybridrt/report
 mkdir -p "$out/lib/hybridrt"
+# Without an image library only PNGs are read: the case with a BMP stays behind.
+python3 - "$out/share/hybridrt/golden/golden.json" <<'EOF'
+import json
+import sys
+
+with open(sys.argv[1], encoding="utf-8") as file:
+    golden = json.load(file)
+golden["cases"] = [case for case in golden["cases"] if case["name"] != "exports-alpha-unused"]
+with open(sys.argv[1], "w", encoding="utf-8") as file:
+    json.dump(golden, file)
+EOF
 
 # ldd also lists what libraries need themselves.
 ldd "$out/bin/hybridrt" | awk '/=> \// {print $3}' | while read -r library; do

@@ -60,8 +60,9 @@ def run(options: argparse.Namespace) -> None:
     if not hybridrt.exists():
         raise PeersError(f"{hybridrt}: not there; scripts/build.sh release builds it")
     work = options.work.resolve()
-    rivals, left_out = chosen_rivals(options, hybridrt)
     plan = Plan(numbers(options.frames), options.rounds, options.threads, options.estimate_slow)
+    require_scenes(options)
+    rivals, left_out = chosen_rivals(options, hybridrt)
     scenes = prepared_scenes(options, hybridrt, work, rivals, left_out)
     jobs = race(scenes, rivals, plan)
     write_json(work / "peers.json", options, scenes, rivals, jobs)
@@ -104,13 +105,16 @@ def chosen_rivals(options: argparse.Namespace, hybridrt: Path) -> tuple[list[Riv
             [f"{rival.name}, which {reasons[rival.key]}" for rival in rivals if reasons[rival.key] is not None])
 
 
+def require_scenes(options: argparse.Namespace) -> None:
+    if unknown := [name for name in options.scenes.split(",") if name not in race_scenes.LOOKS]:
+        raise PeersError(f"--scenes {options.scenes}: no scene is called {unknown[0]}; there are {', '.join(race_scenes.LOOKS)}")
+
+
 def prepared_scenes(options: argparse.Namespace, hybridrt: Path, work: Path, rivals: Sequence[Rival],
                     left_out: list[str]) -> list[race_scenes.RaceScene]:
     width, height = (int(side) for side in options.size.split("x"))
     scenes = []
     for name in options.scenes.split(","):
-        if name not in race_scenes.LOOKS:
-            raise PeersError(f"--scenes {options.scenes}: no scene is called {name}; there are {', '.join(race_scenes.LOOKS)}")
         if name == "sibenik" and not options.sibenik.exists():
             left_out.append(f"sibenik, as {options.sibenik.name} is not there (--sibenik FILE.obj)")
             continue

@@ -22,7 +22,8 @@ class TexturesOnTheGpu : public GlTest {
     gl::ShaderSources sources = gl::embedded_shaders();
     sources["test.comp"] =
         "#version 450 core\n#define Real float\n#define Vec2 vec2\n#define Vec3 vec3\n#define HRT_FN\n"
-        "#include \"texture_words.glsl\"\n"
+        "#define HRT_CHOOSE(condition, a, b) ((condition) ? (a) : (b))\n"
+        "#include \"texture_words.glsl\"\n#include \"texture_holes.glsl\"\n"
         "layout(local_size_x = 8, local_size_y = 8) in;\n"
         "layout(binding = 0) uniform samplerBuffer cases;\n"
         "layout(binding = 0, rgba32f) uniform writeonly image2D outputs;\n"
