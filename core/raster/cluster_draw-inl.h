@@ -51,10 +51,9 @@ class ClusterDraw {
   /// Puts the samples of `sure` behind the others that wait. `hi` etc.: one a lane.
   void keep_samples(Mask sure, Floats depth, Floats error, Ints place, Ints number) {
     ClusterScratch& s = scratch_;
-    store(s.lo + s.sample_count, chosen(sure, depth - error)),
-        store(s.hi + s.sample_count, chosen(sure, depth + error));
-    store_int(s.place + s.sample_count, chosen(sure, place)),
-        store_int(s.number + s.sample_count, chosen(sure, number));
+    const Chosen chosen(sure);
+    store(s.lo + s.sample_count, chosen(depth - error)), store(s.hi + s.sample_count, chosen(depth + error));
+    store_int(s.place + s.sample_count, chosen(place)), store_int(s.number + s.sample_count, chosen(number));
     s.sample_count += __builtin_popcount(bits_of(sure));
   }
 

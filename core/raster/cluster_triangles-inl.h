@@ -239,11 +239,12 @@ class ClusterTriangles {
       const Mask kept = hn::And(hn::And(hn::Le(x0, x1), hn::Le(y0, y1)), first_lanes(cluster_->triangle_count - first));
       const uint32_t bits = bits_of(kept);
       if (bits == 0) continue;
+      const Chosen chosen(kept);
       for (int k = 0; k < 3; ++k)
-        store(s.corner_x[k] + count, chosen(kept, x[k])), store(s.corner_y[k] + count, chosen(kept, y[k]));
-      store(s.box_x0 + count, chosen(kept, x0)), store(s.box_x1 + count, chosen(kept, x1));
-      store(s.box_y0 + count, chosen(kept, y0)), store(s.box_y1 + count, chosen(kept, y1));
-      store_int(s.corners + count, chosen(kept, packed));
+        store(s.corner_x[k] + count, chosen(x[k])), store(s.corner_y[k] + count, chosen(y[k]));
+      store(s.box_x0 + count, chosen(x0)), store(s.box_x1 + count, chosen(x1));
+      store(s.box_y0 + count, chosen(y0)), store(s.box_y1 + count, chosen(y1));
+      store_int(s.corners + count, chosen(packed));
       count += __builtin_popcount(bits);
     }
     return count;

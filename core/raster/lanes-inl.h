@@ -11,6 +11,8 @@
 #include <cstring>
 #include <hwy/highway.h>
 
+#include "core/raster/chosen_lanes.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace hybridrt {
 namespace HWY_NAMESPACE {
@@ -54,9 +56,30 @@ HWY_INLINE uint32_t bits_of(Mask mask) {
   return bits;
 }
 
-/// The lanes that `mask` chooses, moved to the front.
-HWY_INLINE Floats chosen(Mask mask, Floats v) { return hn::Compress(v, mask); }
-HWY_INLINE Ints chosen(Mask mask, Ints v) { return hn::Compress(v, hn::RebindMask(kInts, mask)); }
+/// The lanes that a mask chooses, moved to the front.
+#if HWY_TARGET <= HWY_AVX3
+class Chosen {
+ public:
+  explicit Chosen(Mask mask) : mask_(mask) {}
+  Floats operator()(Floats v) const { return hn::Compress(v, mask_); }
+  Ints operator()(Ints v) const { return hn::Compress(v, hn::RebindMask(kInts, mask_)); }
+
+ private:
+  Mask mask_;
+};
+#else
+/// Highway's Compress has its table as a local constant, which GCC copies to the stack, 2 KiB, for each call.
+class Chosen {
+ public:
+  explicit Chosen(Mask mask)
+      : lanes_(hn::PromoteTo(kInts, hn::LoadU(hn::Rebind<uint8_t, IntLanes>(), kChosenLanes[bits_of(mask)].data()))) {}
+  Floats operator()(Floats v) const { return hn::TableLookupLanes(v, hn::IndicesFromVec(kFloats, lanes_)); }
+  Ints operator()(Ints v) const { return hn::TableLookupLanes(v, hn::IndicesFromVec(kInts, lanes_)); }
+
+ private:
+  Ints lanes_;
+};
+#endif
 
 HWY_INLINE float smallest(Floats v) { return hn::GetLane(hn::MinOfLanes(kFloats, v)); }
 HWY_INLINE float largest(Floats v) { return hn::GetLane(hn::MaxOfLanes(kFloats, v)); }
