@@ -132,7 +132,8 @@ class PixelSampler {
       store_int(&samples_.triangle[at],
                 hn::IfThenElse(hn::RebindMask(kInts, sure), triangle, load_int(&samples_.triangle[at])));
       nearer |= !hn::AllFalse(kFloats, sure);
-      queue_samples(bits_of(hn::AndNot(sure, visible)), at, e, hi);
+      queue_lanes(tile_, bits_of(hn::AndNot(sure, visible)), static_cast<uint32_t>(at), e.triangle,
+                  hn::Min(hi, all(e.nearest)));
     }
     if (!nearer) return;
     Floats least = load(&samples_.lo[first]);
@@ -153,18 +154,8 @@ class PixelSampler {
         positive = hn::And(positive, hn::Gt(value, all(-e.error[k])));
         negative = hn::And(negative, hn::Lt(value, all(e.error[k])));
       }
-      queue_samples(bits_of(hn::Or(positive, negative)), first + v * kLanes, e, all(e.nearest));
-    }
-  }
-
-  /// `first`: the sample of the first lane.
-  void queue_samples(uint32_t bits, size_t first, const EdgeTriangle& t, Floats hi) {
-    if (bits == 0) return;
-    HWY_ALIGN float nearest[kLongestVector];
-    store(nearest, hi);
-    for (; bits != 0; bits &= bits - 1) {
-      const int lane = __builtin_ctz(bits);
-      queue(tile_, static_cast<uint32_t>(first + lane), t.triangle, std::min(nearest[lane], t.nearest));
+      queue_lanes(tile_, bits_of(hn::Or(positive, negative)), static_cast<uint32_t>(first + v * kLanes), e.triangle,
+                  all(e.nearest));
     }
   }
 

@@ -76,14 +76,8 @@ inline void sample_row(DepthTile& tile, const EdgeTriangle& t, float depth_at_0,
     store(tile.hi + place, hn::IfThenElse(sure, hi, tile_hi));
     store_int(tile.triangle + place, hn::IfThenElse(hn::RebindMask(kInts, sure), all_int(static_cast<int>(t.triangle)),
                                                     load_int(tile.triangle + place)));
-    uint32_t unsure = bits_of(hn::AndNot(sure, visible));
-    if (unsure == 0) continue;
-    HWY_ALIGN float nearest[kLongestVector];
-    store(nearest, hi);
-    for (; unsure != 0; unsure &= unsure - 1) {
-      const int lane = __builtin_ctz(unsure);
-      queue(tile, static_cast<uint32_t>(place + lane), t.triangle, std::min(nearest[lane], t.nearest));
-    }
+    queue_lanes(tile, bits_of(hn::AndNot(sure, visible)), static_cast<uint32_t>(place), t.triangle,
+                hn::Min(hi, all(t.nearest)));
   }
 }
 

@@ -32,6 +32,17 @@ inline void queue(DepthTile& tile, uint32_t place, uint32_t triangle, float near
   tile.pending.push_back({place, triangle, nearest});
 }
 
+/// The lanes of `bits`; the first lane's place is `place`.
+inline void queue_lanes(DepthTile& tile, uint32_t bits, uint32_t place, uint32_t triangle, Floats nearest) {
+  if (bits == 0) return;
+  HWY_ALIGN float nearest_of[kLongestVector];
+  store(nearest_of, nearest);
+  for (; bits != 0; bits &= bits - 1) {
+    const int lane = __builtin_ctz(bits);
+    queue(tile, place + static_cast<uint32_t>(lane), triangle, nearest_of[lane]);
+  }
+}
+
 inline void mark_stale(DepthTile& tile, const PixelBox& box) {
   for (int j = box.y0 / kBlockHeight_px; j <= box.y1 / kBlockHeight_px; ++j)
     for (int i = box.x0 / kBlockWidth_px; i <= box.x1 / kBlockWidth_px; ++i) tile.block_stale[j * kBlocksX + i] = true;

@@ -73,21 +73,36 @@ TEST_P(Visibility, SamplesEqualTheRayTestInRandomViews) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Visibility, testing::ValuesIn(raster_scenes()), test_name);
 
-TEST(Visibility, IsExactUnderEveryInstructionSet) {
+/// Calls body(oracle) for some scenes under each instruction set.
+template <typename Body>
+void under_every_instruction_set(const Body& body) {
   for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     for (Scene scene : {random_soup(21, 3000, 0.1f), slivers(22, 300), doubled_faces(23),
                         with_random_holes(random_soup(24, 200, 0.5f), 5)}) {
       Oracle oracle(std::move(scene));
-      Random random(7);
-      for (int i = 0; i < 12; ++i)
-        ASSERT_EQ(oracle.wrong_pixels(random_view(oracle.scene, random)), 0)
-            << hwy::TargetName(target) << ", view " << i;
+      body(oracle);
     }
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+TEST(Visibility, IsExactUnderEveryInstructionSet) {
+  under_every_instruction_set([](Oracle& oracle) {
+    Random random(7);
+    for (int i = 0; i < 12; ++i) ASSERT_EQ(oracle.wrong_pixels(random_view(oracle.scene, random)), 0) << "view " << i;
+  });
+}
+
+TEST(Visibility, SamplesAreExactUnderEveryInstructionSet) {
+  under_every_instruction_set([](Oracle& oracle) {
+    Random random(8);
+    for (int i = 0; i < 8; ++i)
+      ASSERT_EQ(oracle.wrong_samples_of(random_view(oracle.scene, random), random), 0) << "view " << i;
+  });
 }
 
 TEST(Visibility, DecidesCentersOnVerticesAndEdges) {
@@ -119,23 +134,6 @@ TEST(Visibility, DecidesDepthsThatFloatsHardlyTellApart) {
     const View view = view_of_plane(random);
     ASSERT_EQ(oracle.wrong_pixels(view), 0) << i << ": " << described(view);
   }
-}
-
-TEST(Visibility, SamplesAreExactUnderEveryInstructionSet) {
-  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    for (Scene scene : {random_soup(21, 3000, 0.1f), slivers(22, 300), doubled_faces(23),
-                        with_random_holes(random_soup(24, 200, 0.5f), 5)}) {
-      Oracle oracle(std::move(scene));
-      Random random(8);
-      for (int i = 0; i < 8; ++i)
-        ASSERT_EQ(oracle.wrong_samples_of(random_view(oracle.scene, random), random), 0)
-            << hwy::TargetName(target) << ", view " << i;
-    }
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 TEST(Visibility, SamplesAreDecidedBesideEdgesByLessThanRounding) {
