@@ -119,7 +119,7 @@ void GlRenderer::update_shadow_maps(FrameSlot& slot) {
     return shadow_maps_[l].light && shadow_maps_[l].light->toward == plan.lights[l].toward;
   };
   const auto is_kept = [&](size_t l) {
-    return !plan.casts_shadow(l) || (same_light(l) && (!receivers_ || shadow_maps_[l].view == plan.view));
+    return !plan.casts_shadow(l) || (same_light(l) && (!receivers_ || shadow_maps_[l].view == at_centres(plan.view)));
   };
   bool drawn = false;
   std::vector<dvec3> seen;
@@ -131,7 +131,7 @@ void GlRenderer::update_shadow_maps(FrameSlot& slot) {
     }
     KeptShadowMap& map = shadow_maps_[l];
     if (!same_light(l)) map.light = fit_light_frame(scene_, plan.lights[l].toward);
-    map.view = plan.view;
+    map.view = at_centres(plan.view);
     map.fit = receivers_ ? fit_shadow_map(*map.light, plan.view, seen, settings_.shadow_map_px)
                          : uniform_shadow_map(*map.light, settings_.shadow_map_px);
     shadow_map_pass_.run({scene_gpu_, map.fit, settings_.shadow_map_px}, {map.target});

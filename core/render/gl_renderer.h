@@ -65,7 +65,7 @@ class GlRenderer {
   gl::Readback picture_readback_;
 
   // The lights' structures, each kept while its light stands still; a warped shadow map also needs the camera to stand
-  // still.
+  // still, and is fitted to the first sample of a frame for all of them.
   struct KeptShadowMap {
     std::optional<LightFrame> light;  ///< the light that it was drawn for
     View view;

@@ -10,7 +10,7 @@ bool KeptShadowMaps::is_kept(const FramePlan& plan, size_t light) const {
   if (!plan.casts_shadow(light)) return true;
   const Map& map = maps_[light];
   return map.light && map.light->toward == plan.lights[light].toward &&
-         (settings_.shadow_warp == ShadowWarp::uniform || map.view == plan.view);
+         (settings_.shadow_warp == ShadowWarp::uniform || map.view == at_centres(plan.view));
 }
 
 /// A warped map is fitted to all that the whole frame sees, so that a part of a frame has the same pixels as the whole.
@@ -38,7 +38,7 @@ double KeptShadowMaps::update(const FramePlan& plan, std::span<const uint32_t> i
     Map& map = maps_[l];
     const dvec3& toward = plan.lights[l].toward;
     if (!map.light || map.light->toward != toward) map.light = fit_light_frame(scene_, toward);
-    map.view = plan.view;
+    map.view = at_centres(plan.view);
     if (warped && !seen) seen = visible_receivers(plan, ids);
     map.fit = warped ? fit_shadow_map(*map.light, plan.view, *seen, size_px) : uniform_shadow_map(*map.light, size_px);
     map.depth.resize(static_cast<size_t>(size_px) * size_px);

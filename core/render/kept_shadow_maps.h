@@ -10,7 +10,7 @@
 namespace hybridrt {
 
 /// The CPU form's shadow maps of a sequence, one per light, each kept while its light stands still; a warped one also
-/// needs the camera to stand still.
+/// needs the camera to stand still, and is fitted to the first sample of a frame for all of them.
 class KeptShadowMaps {
  public:
   struct Map {

@@ -41,6 +41,12 @@ View part_of(const View& frame, int x_px, int y_px, int width_px, int height_px)
   return view;
 }
 
+View at_centres(const View& view) {
+  View centred = view;
+  centred.sample_px = dvec2(0);
+  return centred;
+}
+
 View whole_frame_of(const View& part) {
   return part_of(part, -part.x_px, -part.y_px, part.frame_width_px, part.frame_height_px);
 }

@@ -47,6 +47,9 @@ View make_view(const Camera& camera, const dvec3& scene_origin_world, int width_
 /// The part of a whole frame's view, `width_px` by `height_px` pixels, that begins at (x_px, y_px).
 View part_of(const View& frame, int x_px, int y_px, int width_px, int height_px);
 
+/// `view` with its samples in the pixels' centres.
+View at_centres(const View& view);
+
 /// The view of the whole frame that `part` belongs to.
 View whole_frame_of(const View& part);
 

@@ -3,40 +3,102 @@
 
     tests/bench/tune_check.py [--binary build/release/bin/hybridrt] [--size 320x240] [--out out/tune_check] [SCENE ...]
 
-For each scene and goal, sweeps every method, shadow mode, kernel, map, depth and number of samples that tune may choose, takes
-the fastest setting that meets the goal, then measures it and tune's choice in turns. Prints a Markdown table.
+For each scene, sweeps every method, shadow mode, kernel, map, depth and number of samples, everywhere or at edges, that tune
+may choose, from few samples to many. What is already slower than the best for every goal by half is not tried with more samples: those only
+add time. For each goal the fastest setting that meets it and tune's choice are then measured in turns. Prints a Markdown
+table; rows stay in the folder.
 """
 import argparse
 import csv
+import itertools
 import json
+import math
 import pathlib
 import statistics
 import subprocess
 
 SCENES = ["scene:chess,triangles=100k", "scene:spheres,triangles=100k", "scene:thin,triangles=100k"]
 GOALS_DB = [30, 36]
-TRUTH_SAMPLES = "16"
+TRUTH_SAMPLES = 16
+DEPTHS = [0, 1, 2, 4, 8, 16]
+HOPELESS = 1.5  # times the best
 
 
-def rows_of(folder):
-    with open(folder / "sweep.csv", newline="", encoding="utf-8") as file:
-        return [row for row in csv.DictReader(file) if not row["error"]]
+def settings_with_one_sample():
+    shadows = {"hybrid": ["none", "exact", "rays", "map", "blur"], "raytrace": ["none", "rays"], "raster": ["none", "map"]}
+    maps = {"map": [{"shadow-map": size} for size in (512, 2048, 8192)],
+            "blur": [{"shadow-map": size, "blur-kernel": kernel} for size in (512, 2048) for kernel in (3, 9, 31)]}
+    for method, depth in itertools.product(shadows, DEPTHS):
+        if method == "raster" and depth > 0:
+            continue  # it has no rays
+        for mode in shadows[method]:
+            for more in maps.get(mode, [{}]):
+                yield {"method": method, "shadows": mode, "reflection-depth": depth, **more}
 
 
-def grouped(rows):
-    settings = {}
-    for row in rows:
-        settings.setdefault(row["setting"], []).append(row)
-    return settings.values()
+class Checker:
+    def __init__(self, arguments, scene):
+        self.binary, self.scene, self.size = arguments.binary, scene, arguments.size
+        self.name = scene.split(":")[-1].split(",")[0]
+        self.out = pathlib.Path(arguments.out) / self.name
+        self.out.mkdir(parents=True, exist_ok=True)
 
+    def run(self, *words):
+        return subprocess.run([self.binary, *words], check=True, stdout=subprocess.PIPE, text=True).stdout
 
-def median_ms(rows):
-    return statistics.median(float(row["wall_ms"]) for row in rows)
+    def sweep(self, part, settings, rounds, *more):
+        """The median time and the least PSNR of each of the settings."""
+        files = []
+        for i, setting in enumerate(settings):
+            files.append(self.out / f"{part}-{i}.json")
+            files[-1].write_text(json.dumps(setting))
+        folder = self.out / part
+        self.run("sweep", self.scene, "--size", self.size, "--over", "config=" + ";".join(map(str, files)),
+                 "--rounds", str(rounds), "--no-charts", "-q", "-o", str(folder), *more)
+        with open(folder / "sweep.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        results = []
+        for path in files:
+            own = [row for row in rows if row["config"] == str(path)]
+            times = [float(row["wall_ms"]) for row in own if row["wall_ms"]]
+            decibels = [float(row["psnr_db"]) for row in own if row["psnr_db"]]
+            results.append((statistics.median(times), min(decibels, default=math.nan)))
+        return results
 
+    def best_of_sweep(self):
+        """For each goal the fastest setting that meets it, or None."""
+        best = {goal: (math.inf, None) for goal in GOALS_DB}
+        tried = list(settings_with_one_sample())
+        truth, counts = [], []
+        samples = 1
+        while samples <= TRUTH_SAMPLES // 2 and tried:
+            settings = [{**setting, "samples": samples} for setting in tried]
+            if samples > 1:
+                settings += [{**setting, "adaptive": "true"} for setting in settings if setting["shadows"] not in ("map", "blur")]
+            counts.append(len(settings))
+            results = self.sweep(f"samples-{samples}", settings, 2, *(truth or ["--truth-samples", str(TRUTH_SAMPLES)]))
+            truth = ["--truth", str(self.out / "samples-1" / "truth")]
+            for setting, (ms, decibels) in zip(settings, results):
+                for goal in GOALS_DB:
+                    if decibels >= goal and ms < best[goal][0]:
+                        best[goal] = (ms, setting)
+            slowest_best = max(ms for ms, _ in best.values())
+            tried = [setting for setting, (ms, _) in zip(tried, results) if ms < HOPELESS * slowest_best]
+            samples *= 2
+        print(f"{self.name}: {' + '.join(map(str, counts))} settings", flush=True)
+        return {goal: setting for goal, (_, setting) in best.items()}
 
-def options_of(row):
-    return {"method": row["method"], "shadows": row["shadows"], "reflection-depth": row["reflection_depth"],
-            "samples": row["samples"], "shadow-map": row["shadow_map_px"], "blur-kernel": row["blur_kernel_px"]}
+    def tuned(self, goal):
+        return json.loads(self.run("tune", self.scene, "--size", self.size, "--max-error", f"{goal}dB", "--truth-samples",
+                                   str(TRUTH_SAMPLES), "-q"))
+
+    def rows(self):
+        for goal, best in self.best_of_sweep().items():
+            if best is None:
+                yield f"| {self.name} | {goal} dB | none | | |"
+                continue
+            (best_ms, _), (tuned_ms, _) = self.sweep(f"duel-{goal}", [best, self.tuned(goal)], 15, "--truth-samples", "0")
+            yield f"| {self.name} | {goal} dB | {best_ms:.1f} | {tuned_ms:.1f} | {tuned_ms / best_ms:.2f} |"
 
 
 def main():
@@ -46,40 +108,9 @@ def main():
     parser.add_argument("--out", default="out/tune_check")
     parser.add_argument("scenes", nargs="*", default=SCENES)
     arguments = parser.parse_args()
-    out = pathlib.Path(arguments.out)
-    out.mkdir(parents=True, exist_ok=True)
-
-    def run(*words):
-        return subprocess.run([arguments.binary, *words], check=True, stdout=subprocess.PIPE, text=True).stdout
-
-    print("| scene | goal | best of the sweep, ms | tune's choice, ms | tune / best |\n|---|---|---|---|---|")
-    for scene in arguments.scenes:
-        common = [scene, "--size", arguments.size]
-        name = scene.split(":")[-1].split(",")[0]
-        for part, over in (("exact", ["--over", "shadows=none,exact,rays"]),
-                           ("map", ["--over", "shadows=map", "--over", "shadow-map=512,2048,8192"]),
-                           ("blur", ["--over", "shadows=blur", "--over", "blur-kernel=3,9,31", "--over", "shadow-map=512,2048"])):
-            run("sweep", *common, *over, "--over", "method=hybrid,raytrace,raster" if part != "blur" else "method=hybrid",
-                "--over", "reflection-depth=1,4,16", "--over", "samples=1,2,4,8", "--truth-samples", TRUTH_SAMPLES,
-                "--rounds", "2", "--no-charts", "-q", "-o", str(out / f"{name}-{part}"))
-        rows = [row for part in ("exact", "map", "blur") for row in rows_of(out / f"{name}-{part}")]
-        for goal in GOALS_DB:
-            meeting = [rows for setting in grouped(rows) for rows in [setting]
-                       if all(row["psnr_db"] == "inf" or float(row["psnr_db"]) >= goal for row in rows)]
-            if not meeting:
-                print(f"| {name} | {goal} dB | none | | |")
-                continue
-            best = options_of(min(meeting, key=median_ms)[0])
-            tuned = json.loads(run("tune", *common, "--max-error", f"{goal}dB", "--truth-samples", TRUTH_SAMPLES, "-q"))
-            files = []
-            for label, options in (("best", best), ("tuned", tuned)):
-                files.append(out / f"{name}-{goal}-{label}.json")
-                files[-1].write_text(json.dumps(options))
-            duel = out / f"{name}-{goal}-duel"
-            run("sweep", *common, "--over", f"config={files[0]};{files[1]}", "--truth-samples", "0", "--rounds", "9",
-                "--no-charts", "-q", "-o", str(duel))
-            ms = [median_ms([row for row in rows_of(duel) if row["config"] == str(file)]) for file in files]
-            print(f"| {name} | {goal} dB | {ms[0]:.1f} | {ms[1]:.1f} | {ms[1] / ms[0]:.2f} |", flush=True)
+    table = [row for scene in arguments.scenes for row in Checker(arguments, scene).rows()]
+    print("\n| scene | goal | best of the sweep, ms | tune's choice, ms | tune / best |\n|---|---|---|---|---|")
+    print("\n".join(table))
 
 
 if __name__ == "__main__":

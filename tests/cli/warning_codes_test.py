@@ -1,7 +1,7 @@
 """Every code of a warning: a small input that is warned of by it, on --json, in run.json and on standard error; and
 the list in docs/formats.md is the program's own.
 
-Called with the binary and the project's folder."""
+Called with the binary, the project's folder and a library that takes locks away (support/no_locks.cpp)."""
 
 import json
 import os
@@ -13,6 +13,7 @@ import unittest
 import zlib
 
 ROOT = os.path.abspath(sys.argv.pop(2))
+NO_LOCKS = os.path.abspath(sys.argv.pop(2))
 
 from cli_test_case import SCENE, CliTestCase  # noqa: E402, it takes the binary off the arguments
 
@@ -119,8 +120,6 @@ CASES = {
 # These take more than a file: the tests that hold them.
 ELSEWHERE = {"gpu-unusable": "gl_driver_test.py", "tables-renamed": "two_runs_test.py",
              "times-missing": "merge_test.py", "scene-parts-lost": "simplify_test.py"}
-# What no test can force: a file system without locks; a search that fails four times on the frames it is checked by.
-NEVER = {"file-locks-missing", "error-exceeded"}
 
 
 def listed(text):
@@ -207,6 +206,27 @@ class WarningCodesTest(CliTestCase):
                 other.wait()
         self.assertIn(" [machine-busy]\n", done.stderr)
 
+    def test_a_file_system_without_locks(self):
+        done = self.run_binary("render", SCENE, "--size", "8x8", "-q", "-o", "a.png", env={"LD_PRELOAD": NO_LOCKS})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(" [file-locks-missing]\n", done.stderr)
+        self.assertIn("a.png", self.files())
+
+    def test_frames_that_tune_was_not_prepared_for(self):
+        """It tries frames 2, 5 and 7, which are empty, and checks 1, 4 and 8, which look ever deeper into two mirrors."""
+        self.write("a.mtl", "newmtl a\nKd 0 0 0\nKs 0.9 0.9 0.9\nillum 3\n")
+        self.write("a.obj", "mtllib a.mtl\nusemtl a\n" + "".join(
+            f"v -20 -50 {z}\nv 20 -50 {z}\nv 20 50 {z}\nv -20 50 {z}\n" for z in (0, 2)) + "f 1 2 3 4\nf 8 7 6 5\n")
+        frames = [{"frame": frame, "eye": [0, 0, 900], "target": [0, 0, 999]} for frame in range(1, 10)]
+        for frame, along in ((1, 15), (4, 4), (8, 1)):
+            frames[frame - 1].update(eye=[0, 0, 1], target=[along, 0, 0])
+        self.write("path.json", json.dumps({"fov_deg": 5, "keyframes": frames}))
+        done = self.succeed("tune", "a.obj", "--camera", "path.json", "--frames", "9", "--size", "8x8", "--max-error", "30dB",
+                            "--truth-samples", "2")
+        for frame in (1, 4):
+            self.assertIn(f"frame {frame} needs more: trying again", done.stderr)
+        self.assertIn("frame 8 has a larger error; give --frames that are more alike [error-exceeded]\n", done.stderr)
+
     def test_the_list_is_the_programs(self):
         with open(os.path.join(ROOT, "docs/formats.md"), encoding="utf-8") as file:
             documented = listed(file.read())
@@ -225,7 +245,7 @@ class WarningCodesTest(CliTestCase):
             with open(os.path.join(ROOT, "tests/cli", name), encoding="utf-8") as file:
                 self.assertIn(code, file.read(), name)
         with open(os.path.join(ROOT, "docs/formats.md"), encoding="utf-8") as file:
-            self.assertEqual(set(listed(file.read())), {*CASES, *ELSEWHERE, *NEVER, *here})
+            self.assertEqual(set(listed(file.read())), {*CASES, *ELSEWHERE, *here})
 
     def test_no_other_line_is_called_a_warning(self):
         """All that is called one goes through line_of()."""

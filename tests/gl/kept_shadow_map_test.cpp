@@ -1,6 +1,7 @@
 // A still light's shadow map is kept, a warped one only while the camera stands still too; else it is drawn anew.
 
 #include "core/render/gl_renderer.h"
+#include "core/render/samples.h"
 #include "core/trace/embree_caster.h"
 #include "tests/gl/frame_test.h"
 #include "tests/gl/gl_test.h"
@@ -16,6 +17,16 @@ class KeptShadowMap : public GlTest {
 
   /// `places`: the camera's places on the orbit.
   std::vector<Frame> render_frames(const std::vector<dvec3>& lights, const std::vector<int>& places, int slots) {
+    std::vector<FrameRequest> requests;
+    for (size_t i = 0; i < lights.size(); ++i) requests.push_back(request_of(lights[i], places[i]));
+    return render_requests(requests, slots);
+  }
+
+  FrameRequest request_of(const dvec3& light, int place) const {
+    return {1, camera_at(job_.motion, place), {{glm::normalize(light), vec3(1)}}};
+  }
+
+  std::vector<Frame> render_requests(const std::vector<FrameRequest>& requests, int slots) {
     RenderSettings settings = job_.settings;
     settings.frames_in_flight = slots;
     const auto caster = make_embree_caster(job_.scene, 1);
@@ -26,10 +37,7 @@ class KeptShadowMap : public GlTest {
     std::vector<Frame> frames;
     renderer.render(
         [&]() -> std::optional<FrameRequest> {
-          if (begun == lights.size()) return std::nullopt;
-          const DirectionalLight light{glm::normalize(lights[begun]), vec3(1)};
-          const Camera camera = camera_at(job_.motion, places[begun]);
-          return FrameRequest{static_cast<int>(++begun), camera, {light}};
+          return begun < requests.size() ? std::optional(requests[begun++]) : std::nullopt;
         },
         [&](Frame&& frame) { frames.push_back(std::move(frame)); });
     return frames;
@@ -85,6 +93,21 @@ TEST_F(KeptShadowMap, FollowsACameraThatMovesIfWarped) {
       EXPECT_EQ(frames[3].timings[PassId::shadow_map] > 0, warped);
       for (const Frame& frame : frames) EXPECT_GT(frame.timings[PassId::id], 0);
     }
+  }
+}
+
+TEST_F(KeptShadowMap, IsOneForAllSamplesOfAFrame) {
+  job_.settings.shadow_warp = ShadowWarp::lispsm;
+  std::vector<FrameRequest> requests;
+  for (int place : {1, 2})
+    for (int sample = 0; sample < 3; ++sample) {
+      requests.push_back(request_of(left_, place));
+      requests.back().sample_offset_px = sample_offset_px(sample);
+    }
+  for (int slots : {1, 2}) {
+    const std::vector<Frame> frames = render_requests(requests, slots);
+    for (size_t i = 0; i < frames.size(); ++i)
+      EXPECT_EQ(frames[i].timings[PassId::shadow_map] > 0, i % 3 == 0) << "sample " << i << ", " << slots;
   }
 }
 
