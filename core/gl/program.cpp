@@ -71,16 +71,22 @@ Shader compile(const Functions& gl, const ShaderSources& sources, std::string_vi
 }  // namespace
 
 ShaderSources load_shaders(const std::string& folder) {
+  constexpr std::string_view kEndings[] = {".vert", ".frag", ".comp", ".glsl", ".h"};
   ShaderSources sources;
   std::error_code failure;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failure)) {
-    if (!entry.is_regular_file(failure)) continue;
+    const bool is_shader = std::ranges::count(kEndings, entry.path().extension().string()) > 0;
+    if (!is_shader || !entry.is_regular_file(failure)) continue;
     std::ifstream file(entry.path(), std::ios::binary);
     sources[entry.path().filename().string()] = {std::istreambuf_iterator<char>(file), {}};
   }
-  if (failure || sources.empty())
-    throw error(ErrorKind::input, "{}: no shader folder that can be read; leave --shaders out to use the built-in ones",
-                folder);
+  for (const auto& [name, text] : embedded_shaders())
+    if (!sources.contains(name))
+      throw error(
+          ErrorKind::input,
+          "--shaders {}: {} is missing or cannot be read; the folder must hold all of the program's shaders, or "
+          "leave --shaders out",
+          folder, name);
   return sources;
 }
 

@@ -15,7 +15,7 @@ using ShaderSources = std::map<std::string, std::string, std::less<>>;
 
 ShaderSources embedded_shaders();
 
-/// Throws Error(input) when the folder cannot be read.
+/// Throws Error(input) when the folder or one of the embedded files' names in it cannot be read.
 ShaderSources load_shaders(const std::string& folder);
 
 /// The text of `name` with each `#include "FILE"` line replaced by that file, once. #line keeps line numbers in

@@ -191,8 +191,9 @@ class DeviceTest(CliTestCase):
         self.write("shaders/shade.comp", "#version 450 core\nvoid main() { undeclared_thing = 1; other = 2; }\n")
         self.refuse("--shaders", "shaders", says=("shade.comp", "undeclared_thing"))
         os.remove(self.path("shaders/shared.h"))
-        self.refuse("--shaders", "shaders", says="shared.h")
-        self.fail_with(3, "render", SCENE, "--shaders", "nowhere", says="nowhere")
+        self.fail_with(3, "render", SCENE, "--shaders", "shaders", says=("--shaders shaders: ", "shared.h"))
+        for folder in ("nowhere", "/etc"):
+            self.fail_with(3, "render", SCENE, "--shaders", folder, says=(f"--shaders {folder}: ", "leave --shaders out"))
 
 
 class DocumentationTest(unittest.TestCase):
