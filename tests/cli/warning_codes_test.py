@@ -220,8 +220,8 @@ class WarningCodesTest(CliTestCase):
         frames = [{"frame": frame, "eye": [0, 0, 900], "target": [0, 0, 999]} for frame in range(1, 10)]
         for frame, along in ((1, 15), (4, 4), (8, 1)):
             frames[frame - 1].update(eye=[0, 0, 1], target=[along, 0, 0])
-        self.write("path.json", json.dumps({"fov_deg": 5, "keyframes": frames}))
-        done = self.succeed("tune", "a.obj", "--camera", "path.json", "--frames", "9", "--size", "8x8", "--max-error", "30dB",
+        self.write("path.json", json.dumps({"keyframes": frames}))
+        done = self.succeed("tune", "a.obj", "--camera", "path.json", "--frames", "9", "--size", "8x8", "--fov", "5", "--max-error", "30dB",
                             "--truth-samples", "2")
         for frame in (1, 4):
             self.assertIn(f"frame {frame} needs more: trying again", done.stderr)
