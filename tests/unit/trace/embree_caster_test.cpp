@@ -78,6 +78,17 @@ TEST_P(Agreement, EmbreesPacketsWithTheTruth) {
   expect_agreement(*make_embree_caster(scene(), 2), scene(), rays, /*one_mind=*/false);
 }
 
+// These go through the tree together, the assorted ones soon one by one.
+TEST_P(Agreement, EmbreesPacketsOfLikeRaysWithTheTruth) {
+  std::vector<Ray<float>> bundles;
+  for (size_t i = 0; i < rays.size(); i += 16)
+    for (int k = 0; k < 16; ++k) {
+      bundles.push_back(rays[i]);
+      bundles.back().dir = glm::normalize(rays[i].dir + 1e-3f * static_cast<float>(k) * vec3(1, -1, 0.5f));
+    }
+  expect_agreement(*make_embree_caster(scene(), 2), scene(), bundles, /*one_mind=*/false);
+}
+
 TEST_P(Agreement, KdTreeWithTheTruth) {
   ThreadPool pool(2);
   const KdTree tree = build_kd_tree(scene(), pool);
