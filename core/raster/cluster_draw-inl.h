@@ -73,6 +73,7 @@ class ClusterDraw {
     const Ints corner = (hn::ConvertTo(kInts, t.box_y0) + all_int(triangles_.to_tile_y())) * all_int(kTileStride) +
                         (hn::ConvertTo(kInts, t.box_x0) + all_int(triangles_.to_tile_x()));
     const Floats outside = hn::Neg(t.error);
+    const std::optional<HoleLanes> holes = triangles_.holes();
     for (int y = 0; y < kSmall_px; ++y) {
       const Floats dy = all(static_cast<float>(y));
       const Mask in_rows = hn::And(small, hn::Le(t.box_y0 + dy, t.box_y1));
@@ -85,13 +86,14 @@ class ClusterDraw {
         const Mask in_box = hn::And(in_rows, hn::Le(t.box_x0 + dx, t.box_x1));
         const Floats least =
             hn::Min(hn::Min(sum_of(t.dx[0], dx, row[0]), sum_of(t.dx[1], dx, row[1])), sum_of(t.dx[2], dx, row[2]));
-        const Mask may = hn::And(in_box, hn::Gt(least, outside));
+        Mask may = hn::And(in_box, hn::Gt(least, outside));
         if (hn::AllFalse(kFloats, may)) {
           if (hn::AllFalse(kFloats, in_box)) break;
           continue;
         }
-        const Mask sure = hn::And(may, hn::Gt(least, t.error));
+        Mask sure = hn::And(may, hn::Gt(least, t.error));
         const Floats depth = sum_of(t.depth_dx, dx, row_depth);
+        if (holes) holes->decide(dx, dy, depth, sure, may);
         const Ints place = corner + all_int(y * kTileStride + x);
         keep_samples(sure, depth, t.depth_error, place, t.number);
         if (const uint32_t unsure = bits_of(hn::AndNot(sure, may)))
@@ -107,15 +109,16 @@ class ClusterDraw {
     for (; bits != 0; bits &= bits - 1) {
       const int i = __builtin_ctz(bits);
       const EdgeTriangle one = triangles_.edges_of(stored, i);
+      const std::optional<HoleLanes> holes = triangles_.holes_of(i);
       if (one.box.x1 - one.box.x0 < kNarrow_px)
-        sample_narrow(one, stored.number[i]);
+        sample_narrow(one, holes, stored.number[i]);
       else
-        sample_triangle(tile_, one);
+        sample_triangle(tile_, one, holes);
     }
   }
 
   /// A row a lane.
-  void sample_narrow(const EdgeTriangle& t, int number) {
+  void sample_narrow(const EdgeTriangle& t, const std::optional<HoleLanes>& holes, int number) {
     if (scratch_.sample_count > ClusterScratch::kFullAt) flush();
     for (int y = t.box.y0; y <= t.box.y1; y += kLanes) {
       const Floats dy = lane_numbers() + all(static_cast<float>(y - t.box.y0));
@@ -125,8 +128,9 @@ class ClusterDraw {
       Ints place =
           (hn::Iota(kInts, 0) + all_int(y)) * all_int(kTileStride) + (hn::ConvertTo(kInts, x) + all_int(t.box.x0));
       for (Mask may = hn::Le(x, s.may_last); !hn::AllFalse(kFloats, may); may = hn::Le(x, s.may_last)) {
-        const Mask sure = hn::And(may, hn::And(hn::Le(s.sure_first, x), hn::Le(x, s.sure_last)));
+        Mask sure = hn::And(may, hn::And(hn::Le(s.sure_first, x), hn::Le(x, s.sure_last)));
         const Floats depth = sum_of(all(t.depth_dx), x, row_depth), error = all(t.depth_error);
+        if (holes) holes->decide(x, dy, depth, sure, may);
         keep_samples(sure, depth, error, place, all_int(number));
         if (const uint32_t unsure = bits_of(hn::AndNot(sure, may)))
           queue_samples(unsure, hn::Min(depth + error, all(t.nearest)), place, all_int(number));
@@ -135,17 +139,16 @@ class ClusterDraw {
     }
   }
 
-  /// Compares the samples that wait with the tile. Where there are holes none is sure before its look-up.
+  /// Compares the samples that wait with the tile.
   void flush() {
     const ClusterScratch& s = scratch_;
     const uint32_t* const triangles = triangles_.indices();
-    const bool has_holes = triangles_.has_holes();
     const int count = s.sample_count;
     for (int i = 0; i < count; ++i) {
       const uint32_t place = s.place[i];
       if (s.hi[i] < tile_.lo[place]) continue;
       const uint32_t triangle = triangles[s.number[i]];
-      if (s.lo[i] > tile_.hi[place] && !has_holes)
+      if (s.lo[i] > tile_.hi[place])
         tile_.lo[place] = s.lo[i], tile_.hi[place] = s.hi[i], tile_.triangle[place] = triangle;
       else
         queue(tile_, place, triangle, s.hi[i]);

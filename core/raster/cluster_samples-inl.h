@@ -36,7 +36,7 @@ class ClusterSamples {
       for (uint32_t bits = bits_of(hn::AndNot(sliver, live)); bits != 0; bits &= bits - 1) {
         const int i = __builtin_ctz(bits);
         if (!hides(tile_, triangles_.box_of(stored, i), stored.nearest[i]))
-          sampler_.sample(triangles_.edges_of(stored, i));
+          sampler_.sample(triangles_.edges_of(stored, i), triangles_.holes_of(i));
       }
       triangles_.for_each_sliver(t, bits_of(sliver), [&](const HomogeneousTriangle& one, const PixelBox& in_picture) {
         sampler_.sample(one, in_picture);

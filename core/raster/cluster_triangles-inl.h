@@ -7,8 +7,10 @@
 #endif
 
 #include <cmath>
+#include <optional>
 
 #include "core/raster/cluster_scratch-inl.h"
+#include "core/raster/hole_lanes-inl.h"
 #include "core/raster/homogeneous.h"
 #include "core/raster/tile_depth-inl.h"
 #include "core/raster/vertex_table-inl.h"
@@ -100,7 +102,7 @@ class ClusterTriangles {
   }
 
   /// The triangles from number `first` on, of which `live` are there. `sliver`: those whose edges are too uncertain.
-  LaneTriangles set_up(int first, Mask live, Mask& sliver) const {
+  LaneTriangles set_up(int first, Mask live, Mask& sliver) {
     const ClusterScratch& s = scratch_;
     Floats x[3], y[3], w[3];
     const Ints packed = load_int(s.corners + first);
@@ -135,7 +137,23 @@ class ClusterTriangles {
     const Floats most = hn::Max(hn::Max(w[0], w[1]), w[2]), range = most - hn::Min(hn::Min(w[0], w[1]), w[2]);
     t.depth_error = sum_of(all(8) * range, t.error * per_area, all(8 * error_.depth_relative) * most);
     t.nearest = most * all(1 + 4 * error_.depth_relative + 1e-6f);
+    if (cluster_->has_holes) {
+      const float margin = 1 + 2 * spread_;
+      const Floats rounding = (width + all(margin)) * (height + all(margin)) * (all(96 * kU) * per_area);
+      place_holes(t, live, w, per_area, range, rounding);
+    }
     return t;
+  }
+
+  /// Of the triangles that were set up last: their holes, a triangle a lane, or of the one in lane `i` in all lanes.
+  /// Nothing where there are none.
+  std::optional<HoleLanes> holes() const {
+    if (!cluster_->has_holes) return std::nullopt;
+    return HoleLanes(*scene_.textures, holes_);
+  }
+  std::optional<HoleLanes> holes_of(int i) const {
+    if (!cluster_->has_holes) return std::nullopt;
+    return HoleLanes(*scene_.textures, holes_, i);
   }
 
   /// One of these, in lane `i`; its box in the tile.
@@ -159,7 +177,6 @@ class ClusterTriangles {
   }
 
   const uint32_t* indices() const { return triangles_; }  ///< in the scene, by number in the cluster
-  bool has_holes() const { return cluster_->has_holes; }
   int to_tile_x() const { return base_x_ - tile_.x_px; }  ///< from a triangle's box to pixels of the tile
   int to_tile_y() const { return base_y_ - tile_.y_px; }
 
@@ -218,6 +235,40 @@ class ClusterTriangles {
     return !hides(tile_, in_tile, static_cast<float>(screen_.unit / nearest * (1 + 1e-6)));
   }
 
+  /// Where the triangles' texels fall on the screen. `w`: unit / distance of the corners; `range`: between these.
+  /// `rounding`: of a function that is at most 1 at the corners.
+  void place_holes(const LaneTriangles& t, Mask live, const Floats (&w)[3], Floats per_area, Floats range,
+                   Floats rounding) {
+    HWY_ALIGN float to[2][2][kLongestVector] = {}, error[2][kLongestVector] = {};
+    HWY_ALIGN int32_t number[kLongestVector];
+    store_int(number, t.number);
+    for (uint32_t bits = bits_of(live); bits != 0; bits &= bits - 1) {
+      const int i = __builtin_ctz(bits);
+      const HolePlacement one = hole_placement(*scene_.textures, triangles_[number[i]]);
+      for (int axis = 0; axis < 2; ++axis) {
+        to[0][axis][i] = one.to[0][axis], to[1][axis][i] = one.to[1][axis], error[axis][i] = one.error[axis];
+        holes_.start[axis][i] = one.start[axis], holes_.size[axis][i] = one.size[axis];
+      }
+      holes_.first[i] = one.first, holes_.repeats[i] = !one.clamped;
+    }
+    const Floats most = hn::Max(hn::Max(w[0], w[1]), w[2]);
+    const Floats least = hn::Max((most - range) - t.depth_error, all(0));
+    const Floats depth_steps = hn::Abs(t.depth_dx) + hn::Abs(t.depth_dy);
+    const Floats of_depth = sum_of(rounding, most + range, all(2 * error_.depth_relative + 4 * kU) * most);
+    for (int axis = 0; axis < 2; ++axis) {
+      const Floats to_1 = load(to[0][axis]), to_2 = load(to[1][axis]), q_1 = to_1 * w[1], q_2 = to_2 * w[2];
+      const Floats dx = sum_of(t.dx[1], q_1, t.dx[2] * q_2) * per_area;
+      const Floats dy = sum_of(t.dy[1], q_1, t.dy[2] * q_2) * per_area;
+      store(holes_.at[axis], sum_of(t.edge[1], q_1, t.edge[2] * q_2) * per_area);
+      store(holes_.dx[axis], dx), store(holes_.dy[axis], dy);
+      const Floats size = hn::Max(hn::Max(to_1, to_2), all(0)) - hn::Min(hn::Min(to_1, to_2), all(0));
+      const Floats steps = sum_of(size, depth_steps, hn::Abs(dx) + hn::Abs(dy));
+      const Floats of_place = sum_of(size, of_depth, all(1.5f * error_.pixels) * steps) / least;
+      const Floats of_start = all(4 * kU) * (size + hn::Abs(load(holes_.start[axis])) + all(1)) + load(error[axis]);
+      store(holes_.error[axis], (of_place + of_start) * all(1.01f));
+    }
+  }
+
   /// Keeps the triangles whose box holds a pixel of `box`; returns how many.
   int gather_triangles(const PixelBox& box) {
     const Floats left = all(static_cast<float>(box.x0 - base_x_)), right = all(static_cast<float>(box.x1 - base_x_));
@@ -262,6 +313,7 @@ class ClusterTriangles {
   const uint32_t* triangles_ = nullptr;
   int base_x_ = 0, base_y_ = 0;
   VertexError error_{};
+  HoleTriangles holes_{};  ///< of the triangles that were set up last, where they have any
 };
 
 }  // namespace HWY_NAMESPACE

@@ -8,7 +8,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "core/raster/hole_lanes-inl.h"
 #include "core/raster/homogeneous.h"
 #include "core/raster/pixel_samples.h"
 #include "core/raster/tile_depth-inl.h"
@@ -48,14 +50,14 @@ class PixelSampler {
 
   void sample(const HomogeneousTriangle& t, const PixelBox& box) {
     const EdgeTriangle edges = edges_in_box(t, box, tile_.x_px, tile_.y_px);
-    if (!hides(tile_, edges.box, t.nearest)) sample(edges, t.turn_known);
+    if (!hides(tile_, edges.box, t.nearest)) sample(edges, std::nullopt, t.turn_known);
   }
 
   /// Looks for pixels whose samples may lie inside the triangle and in front, a pixel a lane. `turn_known`: see
-  /// HomogeneousTriangle.
-  void sample(const EdgeTriangle& edges, bool turn_known = true) {
+  /// HomogeneousTriangle. Without `holes` no sample of a triangle with holes is certain.
+  void sample(const EdgeTriangle& edges, const std::optional<HoleLanes>& holes, bool turn_known = true) {
     const PixelBox& box = edges.box;
-    const SampledTriangle t(samples_, edges);
+    const SampledTriangle t(samples_, edges, holes);
     float reach[3];
     for (int k = 0; k < 3; ++k)
       reach[k] =
@@ -96,9 +98,11 @@ class PixelSampler {
   /// A triangle from pixel to pixel.
   struct SampledTriangle {
     const EdgeTriangle& edges;
+    const std::optional<HoleLanes>& holes;
     Steps edge[3], depth;
-    SampledTriangle(const PixelSamples& samples, const EdgeTriangle& t)
+    SampledTriangle(const PixelSamples& samples, const EdgeTriangle& t, const std::optional<HoleLanes>& holes_of_it)
         : edges(t),
+          holes(holes_of_it),
           edge{{samples, t.dx[0], t.dy[0]}, {samples, t.dx[1], t.dy[1]}, {samples, t.dx[2], t.dy[2]}},
           depth(samples, t.depth_dx, t.depth_dy) {}
   };
@@ -120,12 +124,16 @@ class PixelSampler {
         certain = hn::And(certain, hn::Gt(value, all(e.error[k])));
       }
       const size_t at = first + v * kLanes;
-      const Floats lo = (depth + t.depth.to[v]) - depth_error, hi = (depth + t.depth.to[v]) + depth_error;
+      const Floats depth_there = depth + t.depth.to[v];
+      const Floats lo = depth_there - depth_error, hi = depth_there + depth_error;
       const Floats seen_lo = load(&samples_.lo[at]), seen_hi = load(&samples_.hi[at]);
-      const Mask visible = hn::AndNot(hn::Lt(hi, seen_lo), may);
+      Mask visible = hn::AndNot(hn::Lt(hi, seen_lo), may);
       if (hn::AllFalse(kFloats, visible)) continue;
-      Mask sure = hn::And(hn::And(visible, certain), hn::Lt(seen_hi, lo));
-      if (e.has_holes) sure = hn::And(sure, hn::Lt(all(1), all(0)));
+      Mask sure = hn::And(visible, certain);
+      if (e.has_holes)
+        decide_holes(t.holes, all(from_x) + load(samples_.x + v * kLanes), all(from_y) + load(samples_.y + v * kLanes),
+                     depth_there, sure, visible);
+      sure = hn::And(sure, hn::Lt(seen_hi, lo));
       store(&samples_.lo[at], hn::IfThenElse(sure, lo, seen_lo));
       store(&samples_.hi[at], hn::IfThenElse(sure, hi, seen_hi));
       const Ints triangle = all_int(static_cast<int>(e.triangle));

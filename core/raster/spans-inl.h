@@ -7,7 +7,9 @@
 #endif
 
 #include <cmath>
+#include <optional>
 
+#include "core/raster/hole_lanes-inl.h"
 #include "core/raster/homogeneous.h"
 #include "core/raster/tile_depth-inl.h"
 
@@ -60,18 +62,22 @@ inline Mask between_lanes(int first, int last) { return hn::AndNot(first_lanes(f
 
 /// Samples a row of the tile, a pixel a lane: aligned whole vectors, blended and stored, so that the next triangle's
 /// loads find the same addresses and need not wait. `depth_at_0`: the triangle's at the first pixel of its box.
-inline void sample_row(DepthTile& tile, const EdgeTriangle& t, float depth_at_0, int y, const RowSpan& span) {
+/// Without `holes` no sample of a triangle with holes is certain.
+inline void sample_row(DepthTile& tile, const EdgeTriangle& t, const std::optional<HoleLanes>& holes, float depth_at_0,
+                       int y, const RowSpan& span) {
   const Floats step = all(t.depth_dx), error = all(t.depth_error), row = all(depth_at_0);
   for (int x = span.may_first & ~(kLanes - 1); x <= span.may_last; x += kLanes) {
     const Mask may = between_lanes(span.may_first - x, span.may_last - x);
     const Mask certain = between_lanes(span.sure_first - x, span.sure_last - x);
     const int place = y * kTileStride + x;
-    const Floats depth = sum_of(step, lane_numbers() + all(static_cast<float>(x - t.box.x0)), row);
+    const Floats from_x = lane_numbers() + all(static_cast<float>(x - t.box.x0));
+    const Floats depth = sum_of(step, from_x, row);
     const Floats lo = depth - error, hi = depth + error;
     const Floats tile_lo = load(tile.lo + place), tile_hi = load(tile.hi + place);
-    const Mask visible = hn::AndNot(hn::Lt(hi, tile_lo), may);
-    Mask sure = hn::And(hn::And(visible, certain), hn::Lt(tile_hi, lo));
-    if (t.has_holes) sure = hn::And(sure, hn::Lt(all(1), all(0)));
+    Mask visible = hn::AndNot(hn::Lt(hi, tile_lo), may);
+    Mask sure = hn::And(visible, certain);
+    if (t.has_holes) decide_holes(holes, from_x, all(static_cast<float>(y - t.box.y0)), depth, sure, visible);
+    sure = hn::And(sure, hn::Lt(tile_hi, lo));
     store(tile.lo + place, hn::IfThenElse(sure, lo, tile_lo));
     store(tile.hi + place, hn::IfThenElse(sure, hi, tile_hi));
     store_int(tile.triangle + place, hn::IfThenElse(hn::RebindMask(kInts, sure), all_int(static_cast<int>(t.triangle)),
@@ -88,7 +94,7 @@ struct BlockRows {
 };
 
 /// Samples a triangle of any size; blocks of the tile in which it is hidden are left out where it is large.
-inline void sample_triangle(DepthTile& tile, const EdgeTriangle& t) {
+inline void sample_triangle(DepthTile& tile, const EdgeTriangle& t, const std::optional<HoleLanes>& holes) {
   const PixelBox& box = t.box;
   const bool large = box.x1 - box.x0 >= 2 * kBlockWidth_px && box.y1 - box.y0 >= kBlockHeight_px;
   constexpr int kRows = std::min(kLanes, kBlockHeight_px);
@@ -102,7 +108,7 @@ inline void sample_triangle(DepthTile& tile, const EdgeTriangle& t) {
     const int first = std::max(0, box.y0 - y0), last = std::min(kLanes - 1, box.y1 - y0);
     const auto sample = [&](int k, int from, int to) {
       const float depth = t.depth_dy * static_cast<float>(y0 + k - box.y0) + t.depth;
-      sample_row(tile, t, depth, y0 + k,
+      sample_row(tile, t, holes, depth, y0 + k,
                  {from + box.x0, to + box.x0, rows.sure_first[k] + box.x0, rows.sure_last[k] + box.x0});
     };
     if (!large) {
@@ -158,7 +164,7 @@ inline void queue_triangle(DepthTile& tile, const EdgeTriangle& t) {
 inline void draw_homogeneous(DepthTile& tile, const HomogeneousTriangle& t, const PixelBox& box) {
   const EdgeTriangle edges = edges_in_box(t, box, tile.x_px, tile.y_px);
   if (t.turn_known)
-    sample_triangle(tile, edges);
+    sample_triangle(tile, edges, std::nullopt);
   else
     queue_triangle(tile, edges);
 }
