@@ -2,16 +2,18 @@
 // compares with a ray tracer in double precision.
 //   visibility_proof [--quick] [--threads=N] [--views=N] [--target=NAME] [--seed=N] [SCENE...]
 // Each scene is seen from random places in, on and around it, through lenses of 0.02 to 179 degrees; made-up scenes of
-// slivers, huge, doubled and coplanar triangles are seen too. --target: an instruction set, as Highway names it (AVX2).
-// Exits with 1 if one pixel differs.
+// slivers, huge, doubled and coplanar triangles, and with holes, are seen too. --target: an instruction set, as Highway
+// names it (AVX2). Exits with 1 if one pixel differs.
 
 #include <cstdlib>
+#include <fmt/format.h>
 #include <hwy/targets.h>
 #include <string_view>
 
 #include "core/base/timing.h"
 #include "tests/bench/ray_sets.h"
 #include "tests/support/raster_views.h"
+#include "tests/support/textured_scenes.h"
 
 namespace hybridrt {
 namespace {
@@ -132,6 +134,11 @@ int main(int argc, char** argv) {
   add_views("depths that floats hardly tell apart", nearly_one_plane(8),
             [](Random& random) { return view_of_plane(random); });
   add("triples", with_duplicates(7));
+  add("holes of all kinds", with_all_kinds_of_holes(random_soup(9, 5 * many, 0.1f), 9));
+  // Squares of 4, 12 and 128 pixels are sampled in different ways.
+  for (const int step : {1, 3, 32})
+    add_views(fmt::format("centres beside texels, squares of {}", step), sheet_of_holes(64, step, step == 3),
+              [&](Random& random) { return sheet_view_beside(64, random); });
   if (options.scenes.empty())
     for (const char* name : {"chess", "thin", "spheres"})
       options.scenes.push_back(std::string("scene:") + name +

@@ -1,5 +1,8 @@
 #include "tests/support/textured_scenes.h"
 
+#include <cmath>
+#include <fmt/format.h>
+
 #include "core/base/error.h"
 #include "core/load/load_textures.h"
 #include "tests/support/load_scene.h"
@@ -86,6 +89,80 @@ Scene with_random_holes(Scene scene, uint32_t seed) {
   ThreadPool pool(1);
   Warnings warnings;
   load_textures(scene, std::move(textures), pool, warnings, watch);
+  return scene;
+}
+
+namespace {
+
+/// The name says the size; half of it are holes.
+TexelImage random_holes(const std::filesystem::path& path, int, uint64_t) {
+  TexelImage image;
+  image.has_alpha = true;
+  if (sscanf(path.filename().string().c_str(), "%dx%d", &image.width_px, &image.height_px) != 2) return image;
+  Random random(17);
+  static constexpr uint32_t kAlphas[] = {0, 127, 128, 255};
+  for (int i = 0; i < image.width_px * image.height_px; ++i)
+    image.texels.push_back(texel_of(40, 200, 20, i == 0 ? 0 : kAlphas[random.below(4)]));
+  return image;
+}
+
+void load_random_holes(Scene& scene, Textures textures) {
+  LoadWatch watch;
+  watch.textures = texel_files(random_holes);
+  ThreadPool pool(1);
+  Warnings warnings;
+  load_textures(scene, std::move(textures), pool, warnings, watch);
+}
+
+}  // namespace
+
+Scene with_all_kinds_of_holes(Scene scene, uint32_t seed) {
+  Random random(seed);
+  scene.materials.clear();
+  for (const char* size : {"1x1", "1x7", "5x1", "3x2", "64x64", "300x200"})
+    for (const bool clamped : {false, true}) {
+      TextureMap map;
+      map.path = size, map.clamped = clamped;
+      if (random.below(2)) map.scale = vec2(random.between(-3, 3), random.between(-3, 3));
+      if (random.below(2)) map.offset = vec2(random.between(-9, 9), random.between(-9, 9));
+      scene.materials.emplace_back().maps = {map};
+    }
+  scene.triangle_materials.clear();
+  Textures textures;
+  for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
+    scene.triangle_materials.push_back(random.below(static_cast<uint32_t>(scene.materials.size())));
+    const float size = random.below(8) ? std::pow(10.0f, random.between(-4, 4)) : 0;
+    const float from = random.below(3) ? 0 : std::pow(10.0f, random.between(-1, 8));
+    const vec2 first(from * random.between(-1, 1), from * random.between(-1, 1));
+    for (int corner = 0; corner < 3; ++corner)
+      textures.texcoords.push_back(first + size * vec2(random.between(-1, 1), random.between(-1, 1)));
+    textures.triangle_texcoords.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  load_random_holes(scene, std::move(textures));
+  return scene;
+}
+
+Scene sheet_of_holes(int cells, int step, bool clamped) {
+  Scene scene;
+  Textures textures;
+  const auto add = [&](int x, int y) {
+    scene.positions.emplace_back(static_cast<float>(x - cells / 2), static_cast<float>(y - cells / 2), 0);
+    textures.texcoords.emplace_back(static_cast<float>(x) / cells, static_cast<float>(y) / cells);
+    return static_cast<uint32_t>(scene.positions.size() - 1);
+  };
+  for (int x = 0; x + step <= cells; x += step)
+    for (int y = 0; y + step <= cells; y += step) {
+      const uint32_t a = add(x, y), b = add(x + step, y), c = add(x + step, y + step), d = add(x, y + step);
+      for (const uvec3& corners : {uvec3(a, b, c), uvec3(a, c, d)}) scene.triangle_positions.push_back(corners);
+    }
+  textures.triangle_texcoords = scene.triangle_positions;
+  TextureMap map;
+  map.path = fmt::format("{0}x{0}", 2 * cells), map.clamped = clamped;
+  scene.materials = {Material{}};
+  scene.materials[0].maps = {map};
+  scene.triangle_materials.assign(scene.triangle_count(), 0);
+  scene.bounds = compute_bounds(scene);
+  load_random_holes(scene, std::move(textures));
   return scene;
 }
 

@@ -24,6 +24,14 @@ Scene textured_triangle(const TexelImage& image, TextureMap map = {});
 /// Gives every second triangle holes; texture coordinates are random.
 Scene with_random_holes(Scene scene, uint32_t seed);
 
+/// Gives all triangles holes, each by one of several maps: of 1x1 to 300x200 texels, repeated and clamped, scaled and
+/// moved. Texture coordinates are tiny, ordinary, huge, far from 0, or the same at all corners.
+Scene with_all_kinds_of_holes(Scene scene, uint32_t seed);
+
+/// A square of `cells` by `cells`, in the plane z = 0 and around 0, of squares that are `step` cells wide. A map of
+/// holes lies over all of it, two texels a cell.
+Scene sheet_of_holes(int cells, int step, bool clamped);
+
 /// A tiled floor, a leaf with holes over it and a mirror with a map_Ks behind, with all kinds of statements; loaded
 /// from OBJ and MTL.
 Scene textured_room();

@@ -49,6 +49,8 @@ std::vector<NamedScene> raster_scenes() {
   scenes.push_back({"SheetOnCenters", sheet_on_centers(24)});
   scenes.push_back({"HugeAndSmall", huge_and_small(12)});
   scenes.push_back({"Holes", with_random_holes(random_soup(13, 400, 0.4f), 3)});
+  scenes.push_back({"AllKindsOfHoles", with_all_kinds_of_holes(random_soup(15, 400, 0.4f), 5)});
+  scenes.push_back({"AllKindsOfHolesInSlivers", with_all_kinds_of_holes(slivers(16, 300), 6)});
   scenes.push_back({"HolesInDuplicates", with_random_holes(with_duplicates(14), 4)});
   return scenes;
 }
@@ -80,8 +82,9 @@ void under_every_instruction_set(const Body& body) {
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    for (Scene scene : {random_soup(21, 3000, 0.1f), slivers(22, 300), doubled_faces(23),
-                        with_random_holes(random_soup(24, 200, 0.5f), 5)}) {
+    for (Scene scene :
+         {random_soup(21, 3000, 0.1f), slivers(22, 300), doubled_faces(23),
+          with_random_holes(random_soup(24, 200, 0.5f), 5), with_all_kinds_of_holes(random_soup(25, 2000, 0.1f), 6)}) {
       Oracle oracle(std::move(scene));
       body(oracle);
     }
@@ -152,6 +155,22 @@ TEST(Visibility, SamplesAreDecidedWhereFloatsHardlyTellDepthsApart) {
   Oracle oracle(nearly_one_plane(18));
   Random random(19);
   for (int i = 0; i < 15; ++i) ASSERT_EQ(oracle.wrong_samples_of(view_of_plane(random), random), 0) << i;
+}
+
+/// Squares of 4, 12 and 128 pixels are sampled in different ways.
+TEST(Visibility, DecidesCentersBesideBordersOfTexelsByLessThanRounding) {
+  for (const int step : {1, 3, 32})
+    for (const bool clamped : {false, true}) {
+      Oracle oracle(sheet_of_holes(64, step, clamped));
+      Random random(17);
+      for (int i = 0; i < 20; ++i) {
+        const View view = sheet_view_beside(64, random);
+        ASSERT_EQ(oracle.wrong_pixels(view), 0) << step << ", " << i;
+        if (i % 5 == 0) {
+          ASSERT_EQ(oracle.wrong_samples_of(view, random), 0) << step << ", " << i;
+        }
+      }
+    }
 }
 
 TEST(Visibility, OfExactDuplicatesTheOneThatFacesTheEyeIsSeen) {
