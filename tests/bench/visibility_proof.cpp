@@ -135,10 +135,10 @@ int main(int argc, char** argv) {
             [](Random& random) { return view_of_plane(random); });
   add("triples", with_duplicates(7));
   add("holes of all kinds", with_all_kinds_of_holes(random_soup(9, 5 * many, 0.1f), 9));
-  // Squares of 4, 12 and 128 pixels are sampled in different ways.
-  for (const int step : {1, 3, 32})
-    add_views(fmt::format("centres beside texels, squares of {}", step), sheet_of_holes(64, step, step == 3),
-              [&](Random& random) { return sheet_view_beside(64, random); });
+  // Squares of 4, 12 and 96 pixels are sampled in different ways.
+  for (const int step : {1, 3, 24})
+    add_views(fmt::format("centres beside texels, squares of {}", step), sheet_of_holes(48, step, 2, step == 3),
+              [&](Random& random) { return sheet_view_beside(48, random); });
   if (options.scenes.empty())
     for (const char* name : {"chess", "thin", "spheres"})
       options.scenes.push_back(std::string("scene:") + name +

@@ -131,8 +131,8 @@ Scene with_all_kinds_of_holes(Scene scene, uint32_t seed) {
   Textures textures;
   for (uint32_t i = 0; i < scene.triangle_count(); ++i) {
     scene.triangle_materials.push_back(random.below(static_cast<uint32_t>(scene.materials.size())));
-    const float size = random.below(8) ? std::pow(10.0f, random.between(-4, 4)) : 0;
-    const float from = random.below(3) ? 0 : std::pow(10.0f, random.between(-1, 8));
+    const float size = random.below(3) ? std::pow(10.0f, random.between(-4, 4)) : 0;
+    const float from = random.below(2) ? 0 : std::pow(10.0f, random.between(-1, 15));
     const vec2 first(from * random.between(-1, 1), from * random.between(-1, 1));
     for (int corner = 0; corner < 3; ++corner)
       textures.texcoords.push_back(first + size * vec2(random.between(-1, 1), random.between(-1, 1)));
@@ -142,12 +142,13 @@ Scene with_all_kinds_of_holes(Scene scene, uint32_t seed) {
   return scene;
 }
 
-Scene sheet_of_holes(int cells, int step, bool clamped) {
+Scene sheet_of_holes(int cells, int step, float texels_per_cell, bool clamped) {
+  constexpr int kSize = 300;
   Scene scene;
   Textures textures;
   const auto add = [&](int x, int y) {
     scene.positions.emplace_back(static_cast<float>(x - cells / 2), static_cast<float>(y - cells / 2), 0);
-    textures.texcoords.emplace_back(static_cast<float>(x) / cells, static_cast<float>(y) / cells);
+    textures.texcoords.push_back(((vec2(x, y) + 0.5f) * texels_per_cell + vec2(kSize / 2)) / static_cast<float>(kSize));
     return static_cast<uint32_t>(scene.positions.size() - 1);
   };
   for (int x = 0; x + step <= cells; x += step)
@@ -157,7 +158,7 @@ Scene sheet_of_holes(int cells, int step, bool clamped) {
     }
   textures.triangle_texcoords = scene.triangle_positions;
   TextureMap map;
-  map.path = fmt::format("{0}x{0}", 2 * cells), map.clamped = clamped;
+  map.path = fmt::format("{0}x{0}", kSize), map.clamped = clamped;
   scene.materials = {Material{}};
   scene.materials[0].maps = {map};
   scene.triangle_materials.assign(scene.triangle_count(), 0);

@@ -28,9 +28,9 @@ Scene with_random_holes(Scene scene, uint32_t seed);
 /// moved. Texture coordinates are tiny, ordinary, huge, far from 0, or the same at all corners.
 Scene with_all_kinds_of_holes(Scene scene, uint32_t seed);
 
-/// A square of `cells` by `cells`, in the plane z = 0 and around 0, of squares that are `step` cells wide. A map of
-/// holes lies over all of it, two texels a cell.
-Scene sheet_of_holes(int cells, int step, bool clamped);
+/// A square of `cells` by `cells`, in the plane z = 0 and around 0, of squares that are `step` cells wide. A large
+/// map of holes lies over all of it; borders of texels fall into the middle of cells.
+Scene sheet_of_holes(int cells, int step, float texels_per_cell, bool clamped);
 
 /// A tiled floor, a leaf with holes over it and a mirror with a map_Ks behind, with all kinds of statements; loaded
 /// from OBJ and MTL.

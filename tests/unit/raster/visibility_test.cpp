@@ -157,20 +157,36 @@ TEST(Visibility, SamplesAreDecidedWhereFloatsHardlyTellDepthsApart) {
   for (int i = 0; i < 15; ++i) ASSERT_EQ(oracle.wrong_samples_of(view_of_plane(random), random), 0) << i;
 }
 
-/// Squares of 4, 12 and 128 pixels are sampled in different ways.
+/// Squares of 4, 12 and 96 pixels are sampled in different ways.
 TEST(Visibility, DecidesCentersBesideBordersOfTexelsByLessThanRounding) {
-  for (const int step : {1, 3, 32})
+  for (const int step : {1, 3, 24})
     for (const bool clamped : {false, true}) {
-      Oracle oracle(sheet_of_holes(64, step, clamped));
+      Oracle oracle(sheet_of_holes(48, step, clamped ? 0.125f : 2.0f, clamped));
       Random random(17);
       for (int i = 0; i < 20; ++i) {
-        const View view = sheet_view_beside(64, random);
+        const View view = sheet_view_beside(48, random);
         ASSERT_EQ(oracle.wrong_pixels(view), 0) << step << ", " << i;
         if (i % 5 == 0) {
           ASSERT_EQ(oracle.wrong_samples_of(view, random), 0) << step << ", " << i;
         }
       }
     }
+}
+
+TEST(Visibility, DecidesTexelsThatAreSmallerThanVerticesAreOff) {
+  // Clusters of triangles that are small and far apart, each enlarged to some pixels.
+  constexpr float kSize = 0.0005f;
+  constexpr double kPixel = kSize / 8, kDistance = 4;
+  Oracle oracle(with_all_kinds_of_holes(random_soup(26, 600, kSize), 7));
+  Random random(27);
+  for (int i = 0; i < 100; ++i) {
+    const uint32_t t = random.below(600);
+    Camera camera;
+    camera.target_world = dvec3(oracle.scene.vertex(t, 0));
+    camera.eye_world = camera.target_world + kDistance * dvec3(random.direction());
+    camera.fov_y_rad = 2 * std::atan(24 * kPixel / kDistance);
+    ASSERT_EQ(oracle.wrong_pixels(make_view(camera, dvec3(0), 64, 48)), 0) << i;
+  }
 }
 
 TEST(Visibility, OfExactDuplicatesTheOneThatFacesTheEyeIsSeen) {
