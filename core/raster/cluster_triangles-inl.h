@@ -82,6 +82,7 @@ struct StoredTriangles {
 /// twice its area goes the homogeneous way. Depth is linear on
 /// the screen: error_depth = 8 range error / |twice area| + 8 (rho + 2u) largest. It holds with and without fused
 /// operations.
+/// Texels of holes: see place_holes().
 class ClusterTriangles {
  public:
   ClusterTriangles(const Scene& scene, const Clusters& clusters, const Screen& screen, ClusterScratch& scratch,
@@ -236,7 +237,11 @@ class ClusterTriangles {
   }
 
   /// Where the triangles' texels fall on the screen. `w`: unit / distance of the corners; `range`: between these.
-  /// `rounding`: of a function that is at most 1 at the corners.
+  /// `rounding`: 96u box / |twice area|, of a function that is at most 1 at the corners. Inside the triangle, with T
+  /// the range of a texture coordinate over the corners, N and D what is linear on the screen, the coordinate is off by
+  ///   (T (rounding (largest + range) + (2 (rho + 2u) + 4u) largest) + 1.5 delta (|N'| + T |D'|)) / (least -
+  ///   error_depth)
+  ///   + 4u (T + |start| + 1), and what double precision rounds.
   void place_holes(const LaneTriangles& t, Mask live, const Floats (&w)[3], Floats per_area, Floats range,
                    Floats rounding) {
     HWY_ALIGN float to[2][2][kLongestVector] = {}, error[2][kLongestVector] = {};
