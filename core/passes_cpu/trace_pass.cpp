@@ -101,19 +101,14 @@ class TileTrace {
 
   void scatter(int x, int y, uint32_t in_tile, uint32_t triangle, const dvec3& dir, TraceStats& stats) {
     const dvec3 weights = seen_barycentrics(job_.scene, triangle, job_.view.eye, dir);
-    const Surface<float> surface = surface_from(job_, triangle, weights, dir);
-    const Material& material = job_.scene.materials[surface.material];
-    vec3 reflect = material.reflect;
     float distance = 0, solid_angle = 0;
     if (job_.scene.textures) {
-      distance = static_cast<float>(glm::distance(job_.view.eye, dvec3(surface.point)));
+      distance =
+          static_cast<float>(glm::distance(job_.view.eye, dvec3(surface_from(job_, triangle, weights, dir).point)));
       solid_angle = static_cast<float>(job_.view.sample_solid_angle(x, y));
-      if (material.texture_maps != 0)
-        reflect = textured_colors(job_.scene, triangle, static_cast<float>(weights.y), static_cast<float>(weights.z),
-                                  vec3(dir), solid_angle, distance)
-                      .reflect;
     }
-    generations_.add_scattered(in_tile, surface, reflect, vec3(dir), distance, solid_angle, stats);
+    generations_.add_seen(in_tile, triangle, static_cast<float>(weights.y), static_cast<float>(weights.z), vec3(dir),
+                          distance, solid_angle, stats);
   }
 
   void ask_lights(unsigned asked, size_t index, uint32_t triangle, const dvec3& dir) {

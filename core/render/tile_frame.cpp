@@ -6,8 +6,6 @@
 #include "core/base/check.h"
 #include "core/passes_cpu/mark_boundary.h"
 #include "core/trace/prefetch.h"
-#include "core/trace/surface_at.h"
-#include "core/trace/texture_lookup.h"
 #include "shaders/shared.h"
 
 namespace hybridrt {
@@ -227,15 +225,9 @@ void TileWorker::scatter_points() {
     if (!scattered_) traced_.assign(kPart_px * kPart_px, vec3(0));
     scattered_ = true;
     const vec3 dir(points_.dir[0][i], points_.dir[1][i], points_.dir[2][i]);
-    const Surface<float> surface = surface_at(scene_, triangle, points_.u[i], points_.v[i], dir);
-    vec3 reflect = material.reflect;
-    float distance = 0, solid_angle = 0;
-    if (scene_.textures) {
-      distance = points_.distance[i], solid_angle = points_.solid_angle[i];
-      if (material.texture_maps != 0)
-        reflect = textured_colors(scene_, triangle, points_.u[i], points_.v[i], dir, solid_angle, distance).reflect;
-    }
-    generations_.add_scattered(places_[i], surface, reflect, dir, distance, solid_angle, stats_);
+    generations_.add_seen(places_[i], triangle, points_.u[i], points_.v[i], dir,
+                          scene_.textures ? points_.distance[i] : 0, scene_.textures ? points_.solid_angle[i] : 0,
+                          stats_);
   }
 }
 

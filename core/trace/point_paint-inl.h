@@ -16,16 +16,6 @@ namespace HWY_NAMESPACE {
 
 constexpr int kFloatsAtOnce = lane_count<float>();
 
-/// Three floats of each of a vector of points, before they are loaded.
-struct LaneTriples {
-  HWY_ALIGN float values[3][16];
-  void set(int lane, const vec3& v) { values[0][lane] = v.x, values[1][lane] = v.y, values[2][lane] = v.z; }
-  vec3 get(int lane) const { return {values[0][lane], values[1][lane], values[2][lane]}; }
-  LaneVec3<float> load() const {
-    return {LaneReal<float>::load(values[0]), LaneReal<float>::load(values[1]), LaneReal<float>::load(values[2])};
-  }
-};
-
 inline LaneVec3<float> vector_at(const float (&values)[3][SeenPoints::kRoom], int first) {
   return {LaneReal<float>::load(values[0] + first), LaneReal<float>::load(values[1] + first),
           LaneReal<float>::load(values[2] + first)};

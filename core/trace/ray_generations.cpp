@@ -11,11 +11,6 @@ namespace {
 
 constexpr size_t kBatchRays = 4096;
 
-template <typename Real>
-Real largest_part(const Vec3<Real>& v) {
-  return std::max({v.x, v.y, v.z});
-}
-
 }  // namespace
 
 template <typename Real>
@@ -35,12 +30,6 @@ RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>*
 }
 
 template <typename Real>
-void RayGenerations<Real>::push(const Ray<Real>& ray, const Tag& tag) {
-  rays_.push_back(ray);
-  tags_.push_back(tag);
-}
-
-template <typename Real>
 void RayGenerations<Real>::add_primary(uint32_t pixel, int x, int y) {
   Ray<Real> ray;
   ray.origin = Vec3<Real>(job_.view.eye);
@@ -51,7 +40,8 @@ void RayGenerations<Real>::add_primary(uint32_t pixel, int x, int y) {
     primary_dirs_[pixel] = dir;
   }
   if (job_.scene.textures) set_solid_angle(pixel, static_cast<Real>(job_.view.sample_solid_angle(x, y)));
-  push(ray, {Vec3<Real>(1), pixel, 0});
+  rays_.push_back(ray);
+  tags_.push_back({Vec3<Real>(1), pixel, 0});
 }
 
 template <typename Real>
@@ -61,33 +51,32 @@ void RayGenerations<Real>::set_solid_angle(uint32_t pixel, Real solid_angle) {
 }
 
 template <typename Real>
-void RayGenerations<Real>::add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& reflect,
-                                         const Vec3<Real>& dir, Real distance, Real solid_angle, TraceStats& stats) {
+void RayGenerations<Real>::add_seen(uint32_t pixel, uint32_t triangle, Real u, Real v, const Vec3<Real>& dir,
+                                    Real distance, Real solid_angle, TraceStats& stats) {
   if (job_.scene.textures) set_solid_angle(pixel, solid_angle);
-  scatter_on({Vec3<Real>(1), pixel, 0}, surface, reflect, dir, distance, stats);
+  add_hit({distance, u, v, triangle}, dir, {Vec3<Real>(1), pixel, 0});
+  if (surfaces_.count == HitSurfaces<Real>::kMost) scatter_seen(stats);
 }
 
-/// `path`: the distance from the eye to the surface.
+/// Queues the rays of what was added by add_seen() since it last did.
 template <typename Real>
-void RayGenerations<Real>::scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& reflect,
-                                      const Vec3<Real>& dir, Real path, TraceStats& stats) {
-  const Material& material = job_.scene.materials[surface.material];
-  if (from.generation == 0) {
-    stats.pixels_reflective += material.reflective();
-    stats.pixels_refractive += material.transmissive();
-  }
-  if (from.generation >= job_.reflection_depth || (!material.reflective() && !material.transmissive())) return;
+void RayGenerations<Real>::scatter_seen(TraceStats& stats) {
+  find_surfaces(job_.scene, surfaces_);
+  scatter_on(stats);
+  surfaces_.count = 0;
+}
 
-  const Scattered<Real> out = scatter(material, reflect, surface, dir);
-  const Vec3<Real> reflected = from.weight * out.reflected_weight, refracted = from.weight * out.refracted_weight;
-  if (largest_part(reflected) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.reflected_dir), {reflected, from.pixel, from.generation + 1, from.refracted, path});
-    ++stats.reflection_rays;
-  }
-  if (largest_part(refracted) >= Real(kSmallestWeight)) {
-    push(leave(surface, out.refracted_dir, /*toward=*/false), {refracted, from.pixel, from.generation + 1, true, path});
-    ++stats.refraction_rays;
-  }
+template <typename Real>
+void RayGenerations<Real>::add_hit(const Hit<Real>& hit, const Vec3<Real>& dir, const Tag& tag) {
+  const int i = surfaces_.count++;
+  surfaces_.triangle[i] = hit.triangle;
+  surfaces_.u[i] = hit.u, surfaces_.v[i] = hit.v;
+  for (int k = 0; k < 3; ++k) surfaces_.dir[k][i] = dir[k];
+  surface_tags_[i] = tag;
+  surface_tags_[i].path += hit.t;
+  if (!job_.scene.textures) return;
+  surfaces_.distance[i] = surface_tags_[i].path;
+  surfaces_.solid_angle[i] = solid_angles_[tag.pixel];
 }
 
 template <typename Real>
@@ -99,126 +88,175 @@ void RayGenerations<Real>::take_batch() {
   tags_.resize(first);
 }
 
-/// Fills surfaces_, of the hits. Few at a time, so that what is fetched stays in the cache until it is read.
+/// Fills surfaces_ by hits of the batch from number `first`.
 template <typename Real>
-void RayGenerations<Real>::find_surfaces() {
-  constexpr size_t kAtOnce = 64;
-  surfaces_.resize(hits_.size());
-  for (size_t first = 0; first < hits_.size(); first += kAtOnce) {
-    const size_t end = std::min(first + kAtOnce, hits_.size());
-    const auto for_each_hit = [&](const auto& body) {
-      for (size_t i = first; i < end; ++i)
-        if (hits_[i].found()) body(i, hits_[i].triangle);
-    };
-    for_each_hit([&](size_t, uint32_t triangle) { prefetch_numbers(job_.scene, triangle); });
-    for_each_hit([&](size_t, uint32_t triangle) { prefetch_corners(job_.scene, triangle); });
-    for_each_hit([&](size_t i, uint32_t triangle) {
-      surfaces_[i] = surface_at(job_.scene, triangle, hits_[i].u, hits_[i].v, batch_rays_[i].dir);
-    });
+void RayGenerations<Real>::take_hits(size_t first, size_t end) {
+  surfaces_.count = 0;
+  for (size_t i = first; i < end; ++i) {
+    if (!hits_[i].found()) continue;
+    prefetch_numbers(job_.scene, hits_[i].triangle);
+    add_hit(hits_[i], batch_rays_[i].dir, batch_tags_[i]);
   }
+  for (int i = 0; i < surfaces_.count; ++i) prefetch_corners(job_.scene, surfaces_.triangle[i]);
+  find_surfaces(job_.scene, surfaces_);
 }
 
-/// Queues a shadow ray to every light that the hit's side faces; lights without shadows arrive without one.
 template <typename Real>
-void RayGenerations<Real>::queue_shadow_rays(size_t i) {
-  const Tag& tag = batch_tags_[i];
-  const Surface<Real>& surface = surfaces_[i];
-  const auto ask_buffer = [&](size_t l, const ShadowQuery& query) {
-    lit_[i] |= 1u << l;
-    shadow_queues_[l].owners.push_back(i);
-    shadow_queues_[l].queries.push_back(query);
-    shadow_queues_[l].queries.back().anywhere = job_.eye_enclosed || tag.refracted;
-  };
-  const bool as_seen = asks_buffers_ && tag.generation == 0;
-  if (as_seen)
-    for_each_facing_light(job_.scene, hits_[i].triangle, job_.view.eye, primary_dirs_[tag.pixel], job_.lights,
-                          [&](size_t l, const ShadowQuery& query) {
-                            if (job_.casts_shadow(l)) ask_buffer(l, query);
-                          });
-  for (size_t l = 0; l < to_light_.size(); ++l) {
-    const bool asks = job_.casts_shadow(l);
-    if ((as_seen && asks) || glm::dot(surface.side, to_light_[l]) <= 0) continue;  // the unlit side needs no ray
-    if (asks && asks_buffers_) {
-      ask_buffer(l, {dvec3(leave(surface, to_light_[l]).origin), hits_[i].triangle, surface.from_outside});
-      continue;
-    }
-    lit_[i] |= 1u << l;
+void RayGenerations<Real>::queue_query(size_t light, int i, ShadowQuery query) {
+  query.anywhere = job_.eye_enclosed || surface_tags_[i].refracted;
+  shadow_queues_[light].owners.push_back(i);
+  shadow_queues_[light].queries.push_back(query);
+}
+
+/// Queues shadow rays to all lights that a primary ray's hit faces.
+template <typename Real>
+void RayGenerations<Real>::queue_as_seen(int i) {
+  for_each_facing_light(job_.scene, surfaces_.triangle[i], job_.view.eye, primary_dirs_[surface_tags_[i].pixel],
+                        job_.lights, [&](size_t l, const ShadowQuery& query) {
+                          if (!job_.casts_shadow(l)) return;
+                          lit_[i] |= 1u << l;
+                          queue_query(l, i, query);
+                        });
+}
+
+/// Queues a shadow ray to the light from every hit whose side faces it; a light without shadows arrives without one.
+template <typename Real>
+void RayGenerations<Real>::queue_shadow_rays(size_t light) {
+  const bool asks = job_.casts_shadow(light);
+  leave_toward(surfaces_, to_light_[light], shadow_origins_);
+  for (int i = 0; i < surfaces_.count; ++i) {
+    if (!shadow_origins_.facing[i]) continue;                                 // the unlit side needs no ray
+    if (asks && asks_buffers_ && surface_tags_[i].generation == 0) continue;  // queue_as_seen
+    lit_[i] |= 1u << light;
     if (!asks) continue;
-    shadow_queues_[l].owners.push_back(i);
-    shadow_queues_[l].rays.push_back(leave(surface, to_light_[l]));
+    const Vec3<Real> origin(shadow_origins_.origin[0][i], shadow_origins_.origin[1][i], shadow_origins_.origin[2][i]);
+    if (asks_buffers_) {
+      queue_query(light, i, {dvec3(origin), surfaces_.triangle[i], surfaces_.from_outside[i] != 0});
+    } else {
+      shadow_queues_[light].owners.push_back(i);
+      shadow_queues_[light].rays.push_back({origin, to_light_[light]});
+    }
   }
 }
 
-/// Fills lit_: the lights that reach the hits of the batch.
+/// Fills lit_: the lights that reach the surfaces.
 template <typename Real>
 void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
   for (ShadowQueue<Real>& queue : shadow_queues_) queue.clear();
-  lit_.assign(hits_.size(), 0);
-  for (size_t i = 0; i < hits_.size(); ++i)
-    if (hits_[i].found()) queue_shadow_rays(i);
+  std::fill_n(lit_, surfaces_.count, 0);
+  if (asks_buffers_)
+    for (int i = 0; i < surfaces_.count; ++i)
+      if (surface_tags_[i].generation == 0) queue_as_seen(i);
   for (size_t l = 0; l < shadow_queues_.size(); ++l) {
+    queue_shadow_rays(l);
     ShadowQueue<Real>& queue = shadow_queues_[l];
     queue.answer(job_.lights[l], caster_);
     stats.shadow_rays += static_cast<int64_t>(queue.owners.size());
     for (size_t k = 0; k < queue.owners.size(); ++k) {
       const size_t i = queue.owners[k];
-      stats.primary_shadow_rays += batch_tags_[i].generation == 0;
+      stats.primary_shadow_rays += surface_tags_[i].generation == 0;
       if (queue.occluded[k]) lit_[i] &= ~(1u << l);
     }
   }
 }
 
 template <typename Real>
-SurfaceColors<Real> RayGenerations<Real>::colors_of(size_t i) const {
-  const Material& material = job_.scene.materials[surfaces_[i].material];
-  if (material.texture_maps == 0) return plain_colors(job_.scene, hits_[i].triangle, hits_[i].u, hits_[i].v);
-  return textured_colors(job_.scene, hits_[i].triangle, hits_[i].u, hits_[i].v, batch_rays_[i].dir,
-                         solid_angles_[batch_tags_[i].pixel], batch_tags_[i].path + hits_[i].t);
+SurfaceColors<Real> RayGenerations<Real>::colors_of(int i) const {
+  const HitSurfaces<Real>& s = surfaces_;
+  const Material& material = job_.scene.materials[s.material[i]];
+  if (material.texture_maps == 0) return plain_colors(job_.scene, s.triangle[i], s.u[i], s.v[i]);
+  return textured_colors(job_.scene, s.triangle[i], s.u[i], s.v[i], s.dir_of(i), s.solid_angle[i], s.distance[i]);
 }
 
 /// The surface's own light, without reflected and refracted rays.
 template <typename Real>
-Vec3<Real> RayGenerations<Real>::color_of(size_t i, const SurfaceColors<Real>& paint) const {
-  const Surface<Real>& surface = surfaces_[i];
+Vec3<Real> RayGenerations<Real>::color_of(int i) const {
+  const Surface<Real> surface = surfaces_.surface(i);
   const Material& m = job_.scene.materials[surface.material];
+  const SurfaceColors<Real> paint = colors_of(i);
   Vec3<Real> color =
       phong_unlit(paint.kd, paint.ke, Real(m.opacity), ambient_at(ambient_, ambient_slope_, surface.normal));
   for (size_t l = 0; l < to_light_.size(); ++l)
     if (lit_[i] >> l & 1)
-      color += phong_light(paint.kd, paint.ks, Real(m.ns), Real(m.opacity), surface.normal, -batch_rays_[i].dir,
+      color += phong_light(paint.kd, paint.ks, Real(m.ns), Real(m.opacity), surface.normal, -surfaces_.dir_of(i),
                            to_light_[l], light_color_[l]);
   return color;
 }
 
+/// Adds what rays of the batch bring, in their order, as that decides how sums round.
+template <typename Real>
+void RayGenerations<Real>::add_light(size_t first, size_t end, std::span<Vec3<Real>> colors,
+                                     std::span<PrimaryHit> primary_hits, TraceStats& stats) {
+  int next = 0;
+  for (size_t i = first; i < end; ++i) {
+    const Tag& tag = batch_tags_[i];
+    if (!hits_[i].found()) {
+      colors[tag.pixel] += tag.weight * background_;
+      continue;
+    }
+    const int surface = next++;
+    if (tag.generation == 0) {
+      primary_hits[tag.pixel] = {hits_[i].triangle, lit_[surface]};
+      ++stats.pixels_hit;
+    }
+    colors[tag.pixel] += tag.weight * color_of(surface);
+  }
+}
+
+/// Queues the rays that the surfaces reflect and refract.
+template <typename Real>
+void RayGenerations<Real>::scatter_on(TraceStats& stats) {
+  bool any = false;
+  for (int i = 0; i < surfaces_.count; ++i) {
+    const Tag& tag = surface_tags_[i];
+    const Material& material = job_.scene.materials[surfaces_.material[i]];
+    if (tag.generation == 0) {
+      stats.pixels_reflective += material.reflective();
+      stats.pixels_refractive += material.transmissive();
+    }
+    sends_rays_[i] = tag.generation < job_.reflection_depth && (material.reflective() || material.transmissive());
+    any |= sends_rays_[i];
+  }
+  if (!any) return;
+  scatter_all(job_.scene, surfaces_, scattered_);
+  for (int i = 0; i < surfaces_.count; ++i) {
+    if (!sends_rays_[i]) continue;
+    stats.reflection_rays += push(scattered_.reflected, i, surface_tags_[i].refracted);
+    stats.refraction_rays += push(scattered_.refracted, i, true);
+  }
+}
+
+/// Queues the surface's ray, if that could be seen; returns how many.
+template <typename Real>
+int RayGenerations<Real>::push(const LeavingRays<Real>& rays, int i, bool refracted) {
+  const auto at = [i](const auto& values) { return Vec3<Real>(values[0][i], values[1][i], values[2][i]); };
+  const Tag& from = surface_tags_[i];
+  const Vec3<Real> weight = from.weight * at(rays.weight);
+  if (!(std::max({weight.x, weight.y, weight.z}) >= Real(kSmallestWeight))) return 0;
+  rays_.push_back({at(rays.origin), at(rays.dir)});
+  tags_.push_back({weight, from.pixel, from.generation + 1, refracted, from.path});
+  return 1;
+}
+
 template <typename Real>
 void RayGenerations<Real>::run(std::span<Vec3<Real>> colors, std::span<PrimaryHit> primary_hits, TraceStats& stats) {
+  scatter_seen(stats);
   while (!rays_.empty()) {
     const double started_ms = thread_cpu_ms();
     take_batch();
     const bool primary = batch_tags_.front().generation == 0;
     hits_.resize(batch_rays_.size());
     caster_->closest_hits(batch_rays_, hits_);
-    find_surfaces();
-
-    const double before_shadows_ms = thread_cpu_ms();
-    ask_shadow_rays(stats);
-    if (primary) stats.shadow_cpu_ms += thread_cpu_ms() - before_shadows_ms;
-
-    for (size_t i = 0; i < hits_.size(); ++i) {
-      const Tag& tag = batch_tags_[i];
-      if (!hits_[i].found()) {
-        colors[tag.pixel] += tag.weight * background_;
-        continue;
-      }
-      if (tag.generation == 0) {
-        primary_hits[tag.pixel] = {hits_[i].triangle, lit_[i]};
-        ++stats.pixels_hit;
-      }
-      const Surface<Real>& surface = surfaces_[i];
-      const SurfaceColors<Real> paint = colors_of(i);
-      colors[tag.pixel] += tag.weight * color_of(i, paint);
-      scatter_on(tag, surface, paint.reflect, batch_rays_[i].dir, tag.path + hits_[i].t, stats);
+    for (size_t first = 0; first < hits_.size(); first += HitSurfaces<Real>::kMost) {
+      const size_t end = std::min(first + HitSurfaces<Real>::kMost, hits_.size());
+      take_hits(first, end);
+      const double before_shadows_ms = primary ? thread_cpu_ms() : 0;
+      ask_shadow_rays(stats);
+      if (primary) stats.shadow_cpu_ms += thread_cpu_ms() - before_shadows_ms;
+      add_light(first, end, colors, primary_hits, stats);
+      scatter_on(stats);
     }
+    surfaces_.count = 0;
     if (!primary) stats.secondary_cpu_ms += thread_cpu_ms() - started_ms;
   }
 }

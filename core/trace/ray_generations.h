@@ -3,10 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "core/trace/hit_surfaces.h"
 #include "core/trace/ray_caster.h"
-#include "core/trace/scatter.h"
 #include "core/trace/shadow_queue.h"
-#include "core/trace/texture_lookup.h"
 #include "core/trace/trace_job.h"
 
 namespace hybridrt {
@@ -33,10 +32,10 @@ class RayGenerations {
   /// Queues the ray through the centre of a pixel; `pixel` is its place in the tile.
   void add_primary(uint32_t pixel, int x, int y);
 
-  /// Queues the rays that a primary surface reflects and refracts. `reflect`: its Material::reflect, with textures.
-  /// `dir` must be unit. `distance` from the eye and `solid_angle` of the pixel count only in scenes with textures.
-  void add_scattered(uint32_t pixel, const Surface<Real>& surface, const Vec3<Real>& reflect, const Vec3<Real>& dir,
-                     Real distance, Real solid_angle, TraceStats& stats);
+  /// Takes a point of a triangle that the eye sees along `dir` (unit), which may send rays; u and v as in Hit.
+  /// `distance` from the eye and `solid_angle` of the pixel count only in scenes with textures.
+  void add_seen(uint32_t pixel, uint32_t triangle, Real u, Real v, const Vec3<Real>& dir, Real distance,
+                Real solid_angle, TraceStats& stats);
 
   /// Runs until the queue is empty. Adds light to `colors` (one per pixel of the tile). `primary_hits` is filled for
   /// primary rays; it may be empty when none were added.
@@ -53,14 +52,19 @@ class RayGenerations {
 
   void set_solid_angle(uint32_t pixel, Real solid_angle);
   void take_batch();
-  void find_surfaces();
-  void queue_shadow_rays(size_t in_batch);
+  void add_hit(const Hit<Real>& hit, const Vec3<Real>& dir, const Tag& tag);
+  void scatter_seen(TraceStats& stats);
+  void take_hits(size_t first, size_t end);
+  void queue_query(size_t light, int i, ShadowQuery query);
+  void queue_as_seen(int i);
+  void queue_shadow_rays(size_t light);
   void ask_shadow_rays(TraceStats& stats);
-  Vec3<Real> color_of(size_t in_batch, const SurfaceColors<Real>& paint) const;
-  SurfaceColors<Real> colors_of(size_t in_batch) const;
-  void scatter_on(const Tag& from, const Surface<Real>& surface, const Vec3<Real>& reflect, const Vec3<Real>& dir,
-                  Real path, TraceStats& stats);
-  void push(const Ray<Real>& ray, const Tag& tag);
+  SurfaceColors<Real> colors_of(int i) const;
+  Vec3<Real> color_of(int i) const;
+  void add_light(size_t first, size_t end, std::span<Vec3<Real>> colors, std::span<PrimaryHit> primary_hits,
+                 TraceStats& stats);
+  void scatter_on(TraceStats& stats);
+  int push(const LeavingRays<Real>& rays, int i, bool refracted);
 
   const TraceJob& job_;
   const RayCaster<Real>* caster_;
@@ -77,9 +81,15 @@ class RayGenerations {
   std::vector<Ray<Real>> batch_rays_;
   std::vector<Tag> batch_tags_;
   std::vector<Hit<Real>> hits_;
-  std::vector<Surface<Real>> surfaces_;
-  std::vector<ShadowQueue<Real>> shadow_queues_;  ///< one per light; owners are indices in the batch
-  std::vector<uint8_t> lit_;                      ///< per hit, as PrimaryHit::lit
+
+  // Few of its hits at a time, so that what is found of them stays in the cache.
+  HitSurfaces<Real> surfaces_;
+  Tag surface_tags_[HitSurfaces<Real>::kMost];  ///< of the rays that met them; `path`: to the surface
+  uint8_t lit_[HitSurfaces<Real>::kMost];       ///< as PrimaryHit::lit
+  bool sends_rays_[HitSurfaces<Real>::kMost];
+  ShadowOrigins<Real> shadow_origins_;
+  std::vector<ShadowQueue<Real>> shadow_queues_;  ///< one per light; owners are numbers of surfaces
+  ScatteredFromHits<Real> scattered_;
 };
 
 extern template class RayGenerations<float>;

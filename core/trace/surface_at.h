@@ -1,7 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <type_traits>
 
 #include "core/scene/scene.h"
 #include "core/trace/surface.h"
@@ -29,33 +28,19 @@ inline constexpr Real kRelativeOffset = std::is_same_v<Real, float> ? Real(0x1p-
 template <typename Real>
 Surface<Real> surface_at(const Scene& scene, uint32_t triangle, Real u, Real v, const Vec3<Real>& dir) {
   using V = Vec3<Real>;
-  const V p0(scene.vertex(triangle, 0)), p1(scene.vertex(triangle, 1)), p2(scene.vertex(triangle, 2));
-  const V e1 = p1 - p0, e2 = p2 - p0;
-  const V unnormalized = glm::cross(e1, e2);
-  const uvec3& corners = scene.triangle_normals[triangle];
-  const V interpolated =
-      (1 - u - v) * V(scene.normals[corners[0]]) + u * V(scene.normals[corners[1]]) + v * V(scene.normals[corners[2]]);
-  const auto largest = [](const V& w) { return std::max({std::abs(w.x), std::abs(w.y), std::abs(w.z)}); };
-
-  Surface<Real> surface;
-  surface.point = p0 + u * e1 + v * e2;
-  surface.side = turned_toward(normalized_or(unnormalized, -dir), -dir);
-  surface.normal = turned_toward(normalized_or(interpolated, surface.side), surface.side);
-  surface.offset = kRelativeOffset<Real> * std::max({largest(surface.point), largest(e1), largest(e2)});
-  surface.from_outside = glm::dot(unnormalized, dir) <= 0;
-  surface.material = scene.triangle_materials[triangle];
-  return surface;
+  const uvec3& n = scene.triangle_normals[triangle];
+  const auto met = met_surface(V(scene.vertex(triangle, 0)), V(scene.vertex(triangle, 1)), V(scene.vertex(triangle, 2)),
+                               V(scene.normals[n[0]]), V(scene.normals[n[1]]), V(scene.normals[n[2]]), u, v, dir,
+                               kRelativeOffset<Real>);
+  return {met.point, met.side, met.normal, met.offset, met.from_outside, scene.triangle_materials[triangle]};
 }
 
-/// A ray that leaves `surface` on the side that it was seen from (toward = true) or through it. It starts at its offset
-/// from the surface, on the line through the point along `dir`, so that the offset does not change what it meets; at
-/// grazing angles, where that would be far along, less so. `dir` must be unit.
+/// A ray that leaves `surface` on the side that it was seen from (toward = true) or through it, see leaving_origin().
+/// `dir` must be unit.
 template <typename Real>
 Ray<Real> leave(const Surface<Real>& surface, const Vec3<Real>& dir, bool toward = true) {
-  const Vec3<Real> side = toward ? surface.side : -surface.side;
-  const Real cosine = glm::dot(dir, side);
   Ray<Real> ray;
-  ray.origin = surface.point + surface.offset * (side + (dir - cosine * side) / std::max(cosine, Real(0.25)));
+  ray.origin = leaving_origin(surface.point, toward ? surface.side : -surface.side, surface.offset, dir);
   ray.dir = dir;
   return ray;
 }

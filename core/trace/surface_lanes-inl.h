@@ -9,6 +9,7 @@
 #include <cmath>
 #include <hwy/highway.h>
 
+#include "core/base/math.h"
 #include "core/trace/log2.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,6 +52,11 @@ struct LaneReal {
   Mask operator<=(LaneReal o) const { return hn::Le(v, o.v); }
   Mask operator==(LaneReal o) const { return hn::Eq(v, o.v); }
 };
+
+template <typename Mask>
+bool any(Mask mask) {
+  return !hn::AllFalse(LanesOf<float>(), hn::RebindMask(LanesOf<float>(), mask));
+}
 
 template <typename T>
 LaneReal<T> choose(typename LaneReal<T>::Mask mask, LaneReal<T> a, LaneReal<T> b) {
@@ -109,6 +115,20 @@ template <typename T>
 LaneVec3<T> normalize(LaneVec3<T> v) {
   return (LaneReal<T>(1) / sqrt(dot(v, v))) * v;
 }
+template <typename T>
+LaneVec3<T> reflect(LaneVec3<T> v, LaneVec3<T> normal) {
+  return v - LaneReal<T>(2) * (dot(normal, v) * normal);
+}
+
+/// Three floats of each of a vector of points, before they are loaded.
+struct LaneTriples {
+  HWY_ALIGN float values[3][16];
+  void set(int lane, const vec3& v) { values[0][lane] = v.x, values[1][lane] = v.y, values[2][lane] = v.z; }
+  vec3 get(int lane) const { return {values[0][lane], values[1][lane], values[2][lane]}; }
+  LaneVec3<float> load() const {
+    return {LaneReal<float>::load(values[0]), LaneReal<float>::load(values[1]), LaneReal<float>::load(values[2])};
+  }
+};
 
 /// As log2_by_series(), to the bit.
 inline LaneReal<float> log2(LaneReal<float> x) {
@@ -144,10 +164,14 @@ inline LaneReal<float> pow(LaneReal<float> x, LaneReal<float> y) {
 
 #define HRT_FN inline
 #define HRT_CHOOSE(condition, a, b) choose(condition, a, b)
+#define HRT_ANY(condition) any(condition)
 namespace surface_floats {
 using Real = LaneReal<float>;
 using Vec3 = LaneVec3<float>;
+using Mask = LaneReal<float>::Mask;
 #include "shaders/surface.glsl"
+// after it
+#include "core/trace/optics-inl.h"
 }  // namespace surface_floats
 namespace surface_doubles {
 using Real = LaneReal<double>;
@@ -157,6 +181,7 @@ inline Real pow(Real, Real y) { return y; }  // no highlight is computed in doub
 }  // namespace surface_doubles
 #undef HRT_FN
 #undef HRT_CHOOSE
+#undef HRT_ANY
 
 }  // namespace HWY_NAMESPACE
 }  // namespace hybridrt

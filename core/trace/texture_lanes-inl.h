@@ -48,10 +48,6 @@ template <typename T>
 LaneInteger<T> max(LaneInteger<T> a, LaneInteger<T> b) {
   return LaneInteger<T>(hn::Max(a.v, b.v));
 }
-template <typename Mask>
-bool any(Mask mask) {
-  return !hn::AllFalse(LanesOf<float>(), hn::RebindMask(LanesOf<float>(), mask));
-}
 
 struct LaneVec2 {
   LaneReal<float> x, y;

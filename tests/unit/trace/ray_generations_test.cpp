@@ -95,9 +95,8 @@ TEST(RayQueue, DepthZeroFiresNothing) {
   TraceStats stats;
   const CountingCaster caster(tree, stats);
   RayGenerations<float> generations(job, &caster);
-  const Surface<float> surface = surface_at(scene, 0, 0.2f, 0.2f, vec3(1, 0, 0));
   for (uint32_t pixel = 0; pixel < kPrimary; ++pixel)
-    generations.add_scattered(pixel, surface, scene.materials[surface.material].reflect, {1, 0, 0}, 1, 0, stats);
+    generations.add_seen(pixel, 0, 0.2f, 0.2f, {1, 0, 0}, 1, 0, stats);
   std::vector<vec3> colors(kPrimary);
   generations.run(colors, {}, stats);
   EXPECT_EQ(caster.taken, 0);
