@@ -145,13 +145,15 @@ class Lookup {
   bool is_open(const ShadowQuery& query) const { return query.is_precise && buffer_.sides[query.triangle] == 0; }
 
   bool meets(const ShadowQuery& query, uint32_t triangle) const {
+    const Scene& scene = *buffer_.scene;
+    const uvec3& corners = scene.triangle_positions[triangle];
+    const vec3 &a = scene.positions[corners.x], &b = scene.positions[corners.y], &c = scene.positions[corners.z];
     ShearedRay<double> ray = ray_;
     ray.origin = query.origin;
+    if (is_beside(ray, a, b, c)) return false;
     TriangleHit<double> hit;
-    const Scene& scene = *buffer_.scene;
-    return intersect_triangle(ray, scene.vertex(triangle, 0), scene.vertex(triangle, 1), scene.vertex(triangle, 2),
-                              hit) &&
-           hit.t > 0 && !(scene.has_holes() && is_hole(*scene.textures, triangle, hit.u, hit.v));
+    return intersect_triangle(ray, a, b, c, hit) && hit.t > 0 &&
+           !(scene.has_holes() && is_hole(*scene.textures, triangle, hit.u, hit.v));
   }
 
   bool any_other(const ShadowQuery& query, const Place& place) const {

@@ -81,7 +81,12 @@ void RayGenerations<Real>::add_hit(const Hit<Real>& hit, const Vec3<Real>& dir, 
 
 template <typename Real>
 void RayGenerations<Real>::take_batch() {
-  const size_t first = rays_.size() - std::min(rays_.size(), kBatchRays);
+  if (rays_.size() <= kBatchRays) {
+    batch_rays_.swap(rays_), batch_tags_.swap(tags_);
+    rays_.clear(), tags_.clear();
+    return;
+  }
+  const size_t first = rays_.size() - kBatchRays;
   batch_rays_.assign(rays_.begin() + first, rays_.end());
   batch_tags_.assign(tags_.begin() + first, tags_.end());
   rays_.resize(first);

@@ -126,6 +126,20 @@ bool intersect_triangle(const ShearedRay<Real>& ray, const OrderedTriangle& tria
   return true;
 }
 
+/// Whether the ray's line passes beside the triangle, as intersect_triangle() says in double precision. The corners
+/// need no order: that of two decides the sign of their edge function, and nothing else, and turns all three alike.
+inline bool is_beside(const ShearedRay<double>& ray, const vec3& v0, const vec3& v1, const vec3& v2) {
+  const double* const o = &ray.origin.x;  // glm's vectors index by branches
+  const auto sheared = [&](const vec3& vertex) {
+    const float* const v = &vertex.x;
+    const double along = v[ray.kz] - o[ray.kz];
+    return dvec2((v[ray.kx] - o[ray.kx]) - ray.sx * along, (v[ray.ky] - o[ray.ky]) - ray.sy * along);
+  };
+  const dvec2 a = sheared(v0), b = sheared(v1), c = sheared(v2);
+  const double wa = c.x * b.y - c.y * b.x, wb = a.x * c.y - a.y * c.x, wc = b.x * a.y - b.y * a.x;
+  return (wa < 0 || wb < 0 || wc < 0) && (wa > 0 || wb > 0 || wc > 0);
+}
+
 template <typename Real>
 bool intersect_triangle(const ShearedRay<Real>& ray, const vec3& v0, const vec3& v1, const vec3& v2,
                         TriangleHit<Real>& hit) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/trace_scenes.h"
+
 namespace hybridrt {
 namespace {
 
@@ -66,6 +68,34 @@ TEST(Triangle, SurvivesUnderflowAndOverflow) {
     EXPECT_NEAR(hit.v, 0.25, 1e-6);
     EXPECT_FALSE(hits<float>(scale * vec3(2, 2, 0), vec3(0, 0, 1), a, b, c)) << scale;
   }
+}
+
+// In every order of the corners, also for rays through edges and corners and along the triangle.
+TEST(Triangle, IsBesideWhereItIsNotMet) {
+  Random random(9);
+  int beside = 0, met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const bool coarse = i % 2 == 0;  // many points on edges
+    const auto point = [&] {
+      return coarse ? vec3(random.below(4), random.below(4), random.below(4)) : random.in_cube(-1, 1);
+    };
+    const vec3 a = point(), b = point(), c = point(), origin = point(),
+               dir = coarse ? point() - origin : random.direction();
+    if (dir == vec3(0) || is_degenerate(a, b, c)) continue;
+    const ShearedRay<double> ray = shear_ray(dvec3(origin), dvec3(dir));
+    const bool is_met = hits<double>(origin, dir, a, b, c);
+    const bool is_edge_on = glm::dot(glm::cross(dvec3(b - a), dvec3(c - a)), dvec3(dir)) == 0;
+    ASSERT_EQ(is_beside(ray, a, b, c), is_beside(ray, b, a, c));
+    ASSERT_EQ(is_beside(ray, a, b, c), is_beside(ray, c, a, b));
+    if (is_beside(ray, a, b, c)) {
+      ASSERT_FALSE(is_met);
+    } else if (!is_edge_on) {
+      ASSERT_TRUE(is_met);
+    }
+    beside += !is_met, met += is_met;
+  }
+  EXPECT_GT(beside, 5000);
+  EXPECT_GT(met, 500);
 }
 
 TEST(Triangle, ZeroAreaIsRecognisedExactly) {
