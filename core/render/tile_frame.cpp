@@ -135,7 +135,7 @@ void TileWorker::take_points(int x0, int y0, int x1, int y1, int part_y0) {
       if (row[x] != kNoTriangle)
         add_point(x, y, row[x], row_place + x);
       else
-        std::copy_n(&unseen.x, job_.pixels.picture.channels, pixel(x, y));
+        set_pixel(x, y, unseen);
     }
   }
 }
@@ -154,11 +154,14 @@ void TileWorker::prefetch_all_corners() const {
 }
 
 void TileWorker::keep_colors() {
-  const int channels = job_.pixels.picture.channels;
-  for (int i = 0; i < points_.count; ++i) {
-    const vec4 color(colors_[0][i], colors_[1][i], colors_[2][i], 1);
-    std::copy_n(&color.x, channels, pixel(points_.x[i], points_.y[i]));
-  }
+  for (int i = 0; i < points_.count; ++i)
+    set_pixel(points_.x[i], points_.y[i], vec4(colors_[0][i], colors_[1][i], colors_[2][i], 1));
+}
+
+void TileWorker::set_pixel(int x, int y, const vec4& color) const {
+  float* const to = pixel(x, y);
+  to[0] = color.x, to[1] = color.y, to[2] = color.z;
+  if (job_.pixels.picture.channels == 4) to[3] = color.w;
 }
 
 /// Fills lit_.

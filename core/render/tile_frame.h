@@ -85,6 +85,7 @@ class TileWorker {
   void scatter_points();
   void add_traced(int x0, int y0, int x1, int y1);
   void keep_colors();
+  void set_pixel(int x, int y, const vec4& color) const;
   float* pixel(int x, int y) const { return &job_.pixels.picture.data[index_of(x, y) * job_.pixels.picture.channels]; }
   size_t index_of(int x, int y) const { return static_cast<size_t>(y) * job_.plan.view.width_px + x; }
 
