@@ -21,13 +21,6 @@ using Vector = LaneVec3<float>;
 using Hits = HitSurfaces<float>;
 constexpr int kFloats = lane_count<float>();
 
-inline Vector load(const float (&values)[3][Hits::kRoom], int first) {
-  return {Real::load(values[0] + first), Real::load(values[1] + first), Real::load(values[2] + first)};
-}
-inline void store(Vector v, float (&values)[3][Hits::kRoom], int first) {
-  v.x.store(values[0] + first), v.y.store(values[1] + first), v.z.store(values[2] + first);
-}
-
 inline Real::Mask mask_of(const uint8_t* flags) {
   HWY_ALIGN float values[16];
   for (int i = 0; i < kFloats; ++i) values[i] = flags[i];
@@ -53,8 +46,9 @@ void find_in_lanes(const Scene& scene, Hits& hits) {
     }
     const auto met = surface_floats::met_surface(p[0].load(), p[1].load(), p[2].load(), n[0].load(), n[1].load(),
                                                  n[2].load(), Real::load(hits.u + first), Real::load(hits.v + first),
-                                                 load(hits.dir, first), Real(kRelativeOffset<float>));
-    store(met.point, hits.point, first), store(met.side, hits.side, first), store(met.normal, hits.normal, first);
+                                                 vector_at(hits.dir, first), Real(kRelativeOffset<float>));
+    store_at(met.point, hits.point, first), store_at(met.side, hits.side, first),
+        store_at(met.normal, hits.normal, first);
     met.offset.store(hits.offset + first);
     store_flags(met.from_outside, hits.from_outside + first);
   }
@@ -63,10 +57,10 @@ void find_in_lanes(const Scene& scene, Hits& hits) {
 void leave_in_lanes(const Hits& hits, const vec3& to_light, ShadowOrigins<float>& out) {
   const Vector dir = Vector::all(to_light);
   for (int first = 0; first < hits.count; first += kFloats) {
-    const Vector side = load(hits.side, first);
+    const Vector side = vector_at(hits.side, first);
     store_flags(dot(side, dir) > Real(0), out.facing + first);
-    store(surface_floats::leaving_origin(load(hits.point, first), side, Real::load(hits.offset + first), dir),
-          out.origin, first);
+    store_at(surface_floats::leaving_origin(vector_at(hits.point, first), side, Real::load(hits.offset + first), dir),
+             out.origin, first);
   }
 }
 
@@ -93,13 +87,13 @@ bool any_scatters(const Scene& scene, const Hits& hits, int first) {
 void scatter_in_lanes(const Scene& scene, const Hits& hits, ScatteredFromHits<float>& out) {
   for (int first = 0; first < hits.count; first += kFloats) {
     if (!any_scatters(scene, hits, first)) continue;
-    const Vector point = load(hits.point, first), side = load(hits.side, first);
+    const Vector point = vector_at(hits.point, first), side = vector_at(hits.side, first);
     const Real offset = Real::load(hits.offset + first);
-    const auto rays = surface_floats::scattered_rays(optics_of(scene, hits, first), load(hits.normal, first), side,
-                                                     mask_of(hits.from_outside + first), load(hits.dir, first));
+    const auto rays = surface_floats::scattered_rays(optics_of(scene, hits, first), vector_at(hits.normal, first), side,
+                                                     mask_of(hits.from_outside + first), vector_at(hits.dir, first));
     const auto keep = [&](Vector dir, Vector weight, Vector toward, LeavingRays<float>& to) {
-      store(dir, to.dir, first), store(weight, to.weight, first);
-      store(surface_floats::leaving_origin(point, toward, offset, dir), to.origin, first);
+      store_at(dir, to.dir, first), store_at(weight, to.weight, first);
+      store_at(surface_floats::leaving_origin(point, toward, offset, dir), to.origin, first);
     };
     keep(rays.reflected_dir, rays.reflected_weight, side, out.reflected);
     keep(rays.refracted_dir, rays.refracted_weight, -side, out.refracted);

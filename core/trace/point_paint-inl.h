@@ -6,7 +6,7 @@
 #define HYBRIDRT_POINT_PAINT_H
 #endif
 
-#include "core/trace/seen_points.h"
+#include "core/scene/scene.h"
 #include "core/trace/texture_lanes-inl.h"
 #include "core/trace/texture_lookup.h"
 
@@ -15,11 +15,6 @@ namespace hybridrt {
 namespace HWY_NAMESPACE {
 
 constexpr int kFloatsAtOnce = lane_count<float>();
-
-inline LaneVec3<float> vector_at(const float (&values)[3][SeenPoints::kRoom], int first) {
-  return {LaneReal<float>::load(values[0] + first), LaneReal<float>::load(values[1] + first),
-          LaneReal<float>::load(values[2] + first)};
-}
 
 /// What the materials of a vector of points say.
 struct LanePaint {
@@ -33,7 +28,8 @@ struct LaneTexcoords {
   LaneReal<float> footprint;
 };
 
-inline LaneTexcoords texcoords_at(const Scene& scene, const SeenPoints& points, int first) {
+template <typename Points>
+LaneTexcoords texcoords_at(const Scene& scene, const Points& points, int first) {
   using Real = LaneReal<float>;
   const Textures& textures = *scene.textures;
   LaneTriples p[3];
@@ -56,10 +52,11 @@ inline LaneTexcoords texcoords_at(const Scene& scene, const SeenPoints& points, 
                                  Real::load(points.solid_angle + first), Real::load(points.distance + first))};
 }
 
-/// The paint of a vector of points, from number `first`.
+/// The paint of a vector of points, from number `first`. Points: SeenPoints or HitSurfaces<float>.
+template <typename Points>
 class PointPaint {
  public:
-  PointPaint(const Scene& scene, const SeenPoints& points, int first) : scene_(scene), points_(points), first_(first) {}
+  PointPaint(const Scene& scene, const Points& points, int first) : scene_(scene), points_(points), first_(first) {}
 
   LanePaint paint() const {
     const uint32_t material = scene_.triangle_materials[points_.triangle[first_]];
@@ -119,7 +116,7 @@ class PointPaint {
   }
 
   const Scene& scene_;
-  const SeenPoints& points_;
+  const Points& points_;
   const int first_;
 };
 

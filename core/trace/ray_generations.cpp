@@ -11,22 +11,22 @@ namespace {
 
 constexpr size_t kBatchRays = 4096;
 
+template <typename Real, size_t kRoom>
+Vec3<Real> triple(const Real (&values)[3][kRoom], int i) {
+  return {values[0][i], values[1][i], values[2][i]};
+}
+
 }  // namespace
 
 template <typename Real>
 RayGenerations<Real>::RayGenerations(const TraceJob& job, const RayCaster<Real>* caster)
     : job_(job),
       caster_(caster),
-      ambient_(job.ambient.color),
-      ambient_slope_(job.ambient.slope),
       background_(job.background),
       asks_buffers_(job.has_buffers()),
       shadow_queues_(job.lights.size()) {
   HRT_CHECK(job.lights.size() <= HRT_MAX_LIGHTS);
-  for (const TracedLight& traced : job.lights) {
-    to_light_.emplace_back(traced.light.toward);
-    light_color_.emplace_back(traced.light.color);
-  }
+  for (const TracedLight& traced : job.lights) to_light_.emplace_back(traced.light.toward);
 }
 
 template <typename Real>
@@ -134,7 +134,7 @@ void RayGenerations<Real>::queue_shadow_rays(size_t light) {
     if (asks && asks_buffers_ && surface_tags_[i].generation == 0) continue;  // queue_as_seen
     lit_[i] |= 1u << light;
     if (!asks) continue;
-    const Vec3<Real> origin(shadow_origins_.origin[0][i], shadow_origins_.origin[1][i], shadow_origins_.origin[2][i]);
+    const Vec3<Real> origin = triple(shadow_origins_.origin, i);
     if (asks_buffers_) {
       queue_query(light, i, {dvec3(origin), surfaces_.triangle[i], surfaces_.from_outside[i] != 0});
     } else {
@@ -165,33 +165,11 @@ void RayGenerations<Real>::ask_shadow_rays(TraceStats& stats) {
   }
 }
 
-template <typename Real>
-SurfaceColors<Real> RayGenerations<Real>::colors_of(int i) const {
-  const HitSurfaces<Real>& s = surfaces_;
-  const Material& material = job_.scene.materials[s.material[i]];
-  if (material.texture_maps == 0) return plain_colors(job_.scene, s.triangle[i], s.u[i], s.v[i]);
-  return textured_colors(job_.scene, s.triangle[i], s.u[i], s.v[i], s.dir_of(i), s.solid_angle[i], s.distance[i]);
-}
-
-/// The surface's own light, without reflected and refracted rays.
-template <typename Real>
-Vec3<Real> RayGenerations<Real>::color_of(int i) const {
-  const Surface<Real> surface = surfaces_.surface(i);
-  const Material& m = job_.scene.materials[surface.material];
-  const SurfaceColors<Real> paint = colors_of(i);
-  Vec3<Real> color =
-      phong_unlit(paint.kd, paint.ke, Real(m.opacity), ambient_at(ambient_, ambient_slope_, surface.normal));
-  for (size_t l = 0; l < to_light_.size(); ++l)
-    if (lit_[i] >> l & 1)
-      color += phong_light(paint.kd, paint.ks, Real(m.ns), Real(m.opacity), surface.normal, -surfaces_.dir_of(i),
-                           to_light_[l], light_color_[l]);
-  return color;
-}
-
 /// Adds what rays of the batch bring, in their order, as that decides how sums round.
 template <typename Real>
 void RayGenerations<Real>::add_light(size_t first, size_t end, std::span<Vec3<Real>> colors,
                                      std::span<PrimaryHit> primary_hits, TraceStats& stats) {
+  shade_hits(job_, surfaces_, lit_, surface_colors_);
   int next = 0;
   for (size_t i = first; i < end; ++i) {
     const Tag& tag = batch_tags_[i];
@@ -204,7 +182,7 @@ void RayGenerations<Real>::add_light(size_t first, size_t end, std::span<Vec3<Re
       primary_hits[tag.pixel] = {hits_[i].triangle, lit_[surface]};
       ++stats.pixels_hit;
     }
-    colors[tag.pixel] += tag.weight * color_of(surface);
+    colors[tag.pixel] += tag.weight * triple(surface_colors_, surface);
   }
 }
 
@@ -234,11 +212,10 @@ void RayGenerations<Real>::scatter_on(TraceStats& stats) {
 /// Queues the surface's ray, if that could be seen; returns how many.
 template <typename Real>
 int RayGenerations<Real>::push(const LeavingRays<Real>& rays, int i, bool refracted) {
-  const auto at = [i](const auto& values) { return Vec3<Real>(values[0][i], values[1][i], values[2][i]); };
   const Tag& from = surface_tags_[i];
-  const Vec3<Real> weight = from.weight * at(rays.weight);
+  const Vec3<Real> weight = from.weight * triple(rays.weight, i);
   if (!(std::max({weight.x, weight.y, weight.z}) >= Real(kSmallestWeight))) return 0;
-  rays_.push_back({at(rays.origin), at(rays.dir)});
+  rays_.push_back({triple(rays.origin, i), triple(rays.dir, i)});
   tags_.push_back({weight, from.pixel, from.generation + 1, refracted, from.path});
   return 1;
 }

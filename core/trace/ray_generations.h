@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/trace/hit_surfaces.h"
+#include "core/trace/hit_shading.h"
 #include "core/trace/ray_caster.h"
 #include "core/trace/shadow_queue.h"
 #include "core/trace/trace_job.h"
@@ -59,8 +59,6 @@ class RayGenerations {
   void queue_as_seen(int i);
   void queue_shadow_rays(size_t light);
   void ask_shadow_rays(TraceStats& stats);
-  SurfaceColors<Real> colors_of(int i) const;
-  Vec3<Real> color_of(int i) const;
   void add_light(size_t first, size_t end, std::span<Vec3<Real>> colors, std::span<PrimaryHit> primary_hits,
                  TraceStats& stats);
   void scatter_on(TraceStats& stats);
@@ -68,8 +66,8 @@ class RayGenerations {
 
   const TraceJob& job_;
   const RayCaster<Real>* caster_;
-  const Vec3<Real> ambient_, ambient_slope_, background_;
-  std::vector<Vec3<Real>> to_light_, light_color_;  ///< one per light
+  const Vec3<Real> background_;
+  std::vector<Vec3<Real>> to_light_;  ///< one per light
   const bool asks_buffers_;
 
   std::vector<Ray<Real>> rays_;  ///< the queue, newest last
@@ -87,6 +85,7 @@ class RayGenerations {
   Tag surface_tags_[HitSurfaces<Real>::kMost];  ///< of the rays that met them; `path`: to the surface
   uint8_t lit_[HitSurfaces<Real>::kMost];       ///< as PrimaryHit::lit
   bool sends_rays_[HitSurfaces<Real>::kMost];
+  Real surface_colors_[3][HitSurfaces<Real>::kRoom];
   ShadowOrigins<Real> shadow_origins_;
   std::vector<ShadowQueue<Real>> shadow_queues_;  ///< one per light; owners are numbers of surfaces
   ScatteredFromHits<Real> scattered_;

@@ -120,6 +120,17 @@ LaneVec3<T> reflect(LaneVec3<T> v, LaneVec3<T> normal) {
   return v - LaneReal<T>(2) * (dot(normal, v) * normal);
 }
 
+/// A vector of points from number `first` of a structure of arrays.
+template <int kRoom>
+LaneVec3<float> vector_at(const float (&values)[3][kRoom], int first) {
+  return {LaneReal<float>::load(values[0] + first), LaneReal<float>::load(values[1] + first),
+          LaneReal<float>::load(values[2] + first)};
+}
+template <int kRoom>
+void store_at(LaneVec3<float> v, float (&values)[3][kRoom], int first) {
+  v.x.store(values[0] + first), v.y.store(values[1] + first), v.z.store(values[2] + first);
+}
+
 /// Three floats of each of a vector of points, before they are loaded.
 struct LaneTriples {
   HWY_ALIGN float values[3][16];

@@ -16,7 +16,6 @@ namespace {
 Scene many_mirrors_and_glasses(uint32_t seed, int triangles) {
   Random random(seed);
   Scene scene = random_soup(seed, triangles, 0.5f);
-  scene.normals.clear(), scene.triangle_normals.clear(), scene.triangle_materials.clear(), scene.materials.clear();
   for (int i = 0; i < triangles; ++i) {
     const uint32_t n = static_cast<uint32_t>(scene.normals.size());
     for (int k = 0; k < 3; ++k) scene.normals.push_back(random.direction());
