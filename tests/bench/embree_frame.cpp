@@ -1,6 +1,6 @@
 #include "tests/bench/embree_frame.h"
 
-#include "core/passes_cpu/shade.h"
+#include "core/trace/hit_shading.h"
 #include "core/trace/ray_generations.h"
 #include "core/trace/scatter.h"
 #include "core/trace/texture_lookup.h"
@@ -50,58 +50,42 @@ class Painter {
     }
     rtcIntersect16(valid, scene_, &coherent_, &primary);
 
-    Surface<float> surfaces[kPacket];
+    // All of the packet's hits are worked on at once.
+    hits_.count = 0;
+    int hit_of[kPacket];
+    for (int lane = 0; lane < kPacket; ++lane) {
+      hit_of[lane] = -1;
+      if (!valid[lane] || primary.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
+      const int i = hit_of[lane] = hits_.count++;
+      hits_.triangle[i] = primary.hit.primID[lane];
+      hits_.u[i] = primary.hit.u[lane], hits_.v[i] = primary.hit.v[lane];
+      for (int k = 0; k < 3; ++k) hits_.dir[k][i] = dirs[lane][k];
+      hits_.distance[i] = primary.ray.tfar[lane];
+      if (job_.scene.textures)
+        hits_.solid_angle[i] =
+            static_cast<float>(view.sample_solid_angle(x0 + lane % kBlock_px, y0 + lane / kBlock_px));
+    }
+    find_surfaces(job_.scene, hits_);
+    leave_toward(hits_, to_light_, shadow_origins_);
+
     alignas(64) int asks[kPacket];
     RTCRay16 shadow;
-    for (int lane = 0; lane < kPacket; ++lane) {
-      asks[lane] = 0;
-      set_ray(shadow, lane, vec3(0), vec3(0));
-      shadow.tfar[lane] = -1;  // an empty range: narrow vectors look at that
-      if (!valid[lane] || primary.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
-      surfaces[lane] =
-          surface_at(job_.scene, primary.hit.primID[lane], primary.hit.u[lane], primary.hit.v[lane], dirs[lane]);
-      if (!job_.shadows || glm::dot(surfaces[lane].side, to_light_) <= 0) continue;
-      asks[lane] = -1;
-      set_ray(shadow, lane, leave(surfaces[lane], to_light_).origin, to_light_);
+    for (int i = 0; i < kPacket; ++i) {
+      asks[i] = i < hits_.count && job_.shadows && shadow_origins_.facing[i] ? -1 : 0;
+      set_ray(shadow, i, at(shadow_origins_.origin, i), to_light_);
+      if (!asks[i]) shadow.tfar[i] = -1;  // an empty range: narrow vectors look at that
     }
     rtcOccluded16(asks, scene_, &coherent_, &shadow);
-
-    // All of the packet's hits are shaded at once.
-    points_.count = 0;
-    int point_of[kPacket];
-    uint8_t lit[kPacket + 16];
-    for (int lane = 0; lane < kPacket; ++lane) {
-      point_of[lane] = -1;
-      if (!valid[lane] || primary.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
-      const int i = point_of[lane] = points_.count++;
-      points_.x[i] = x0 + lane % kBlock_px, points_.y[i] = y0 + lane / kBlock_px;
-      points_.triangle[i] = primary.hit.primID[lane];
-      points_.u[i] = primary.hit.u[lane], points_.v[i] = primary.hit.v[lane];
-      for (int k = 0; k < 3; ++k) {
-        points_.dir[k][i] = dirs[lane][k], points_.side[k][i] = surfaces[lane].side[k];
-        points_.origin[k][i] = surfaces[lane].point[k];
-      }
-      points_.distance[i] = primary.ray.tfar[lane];
-      if (job_.scene.textures)
-        points_.solid_angle[i] = static_cast<float>(view.sample_solid_angle(points_.x[i], points_.y[i]));
-      lit[i] = glm::dot(surfaces[lane].side, to_light_) > 0 && !(asks[lane] && shadow.tfar[lane] < 0);
-    }
-    for (int i = points_.count; points_.count > 0 && i < kPacket; ++i) points_.triangle[i] = points_.triangle[0];
-    float colors[3][SeenPoints::kRoom];
-    hybridrt::shade(job_, points_, {lit, sizeof(lit)}, colors);
+    uint8_t lit[kPacket];
+    for (int i = 0; i < hits_.count; ++i) lit[i] = shadow_origins_.facing[i] && !(asks[i] && shadow.tfar[i] < 0);
+    shade_hits(job_, hits_, lit, colors_);
+    if (job_.reflection_depth > 0) scatter_all(job_.scene, hits_, scattered_);
 
     for (int lane = 0; lane < kPacket; ++lane) {
       if (!valid[lane]) continue;
-      const int i = point_of[lane];
-      const bool hit = i >= 0;
-      vec3 color = job_.background;
-      if (hit) {
-        const Met met{points_.triangle[i], points_.u[i], points_.v[i], dirs[lane], points_.distance[i]};
-        solid_angle_ = points_.solid_angle[i];
-        color = vec3(colors[0][i], colors[1][i], colors[2][i]) + scattered(met, surfaces[lane], vec3(1), 0);
-      }
-      const int x = x0 + lane % kBlock_px, y = y0 + lane / kBlock_px;
-      picture[static_cast<size_t>(y) * view.width_px + x] = vec4(color, hit);
+      const int i = hit_of[lane], x = x0 + lane % kBlock_px, y = y0 + lane / kBlock_px;
+      const vec3 color = i < 0 ? job_.background : at(colors_, i) + scattered_from(i);
+      picture[static_cast<size_t>(y) * view.width_px + x] = vec4(color, i >= 0);
     }
   }
 
@@ -128,6 +112,21 @@ class Painter {
     return lit ? unlit + phong_light(paint.kd, paint.ks, m.ns, m.opacity, surface.normal, -met.dir, to_light_,
                                      job_.lights[0].light.color)
                : unlit;
+  }
+
+  static vec3 at(const float (&values)[3][HitSurfaces<float>::kRoom], int i) {
+    return {values[0][i], values[1][i], values[2][i]};
+  }
+
+  /// What a hit of the packet reflects and refracts.
+  vec3 scattered_from(int i) {
+    const Material& material = job_.scene.materials[hits_.material[i]];
+    if (job_.reflection_depth == 0 || (!material.reflective() && !material.transmissive())) return vec3(0);
+    solid_angle_ = hits_.solid_angle[i];
+    const auto follow_one = [&](const LeavingRays<float>& rays) {
+      return follow({at(rays.origin, i), at(rays.dir, i)}, at(rays.weight, i), hits_.distance[i], 1);
+    };
+    return follow_one(scattered_.reflected) + follow_one(scattered_.refracted);
   }
 
   vec3 scattered(const Met& met, const Surface<float>& surface, const vec3& weight, int generation) {
@@ -163,7 +162,10 @@ class Painter {
   RTCScene scene_;
   vec3 to_light_;
   float solid_angle_ = 0;  ///< of the pixel at hand
-  SeenPoints points_{};
+  HitSurfaces<float> hits_{};
+  ShadowOrigins<float> shadow_origins_{};
+  float colors_[3][HitSurfaces<float>::kRoom];
+  ScatteredFromHits<float> scattered_;
   RTCIntersectContext coherent_, incoherent_;
 };
 
