@@ -44,6 +44,8 @@ optional=(
   qemu-user              # writes them on other processors
   chromium               # opens reports
 )
+# A farm of one node. Its daemons are for a machine that is thrown away, not for one that people work on.
+if [ "${CI:-}" = true ]; then optional+=(slurm-wlm munge); fi
 
 fail() {
   echo "setup.sh: $*" >&2
