@@ -61,7 +61,7 @@ class HostileTextTest(CliTestCase):
 
     def test_a_folder_of_other_files_as_shaders(self):
         os.makedirs(self.path("shaders/folder"))
-        self.fail_with(3, "render", SCENE, *SMALL, "--shaders", "shaders", says="no shader folder")
+        self.fail_with(3, "render", SCENE, *SMALL, "--shaders", "shaders", says=("--shaders shaders: ", "is missing"))
 
 
 if __name__ == "__main__":
